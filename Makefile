@@ -1,0 +1,48 @@
+# Short names for the usual commands. CMakePresets.json is underneath.
+.POSIX:
+.PHONY: help build demo test asan format tidy
+
+DEMO_CASE = runs/yohutagawa-case
+DEMO_RUN = runs/yohutagawa
+# Long runs of the solver; the sanitizers make them ten times longer and find nothing new in them.
+LONG_TESTS = ^(solver|run)[.]
+
+help:
+	@echo 'make build    install what is missing, then build build/release/src/sabo'
+	@echo 'make demo     build, then run the example: a debris flow meets a check dam'
+	@echo 'make test     build, then run all checks and tests'
+	@echo 'make asan     the quick tests under the address and undefined-behaviour sanitizers'
+	@echo 'make format   format src/ and tests/'
+	@echo 'make tidy     static analysis of src/ by clang-tidy'
+
+build:
+	@sh tools/install_packages.sh
+	cmake --preset release
+	cmake --build --preset release
+
+demo: build
+	@mkdir -p runs
+	test -d $(DEMO_CASE) || build/release/src/sabo new yohutagawa $(DEMO_CASE)
+	build/release/src/sabo run $(DEMO_CASE) -o $(DEMO_RUN) --spacing 1.5 --duration 120
+	@echo 'Open $(DEMO_RUN)/index.html in a browser.'
+
+test: build
+	python3 tools/check_layers.py
+	sh tools/check_format.sh
+	python3 tests/tools/test_check_layers.py
+	ctest --preset release -j 2
+
+asan:
+	@sh tools/install_packages.sh
+	cmake --preset asan
+	cmake --build --preset asan
+	ctest --preset asan -j 2 -E '$(LONG_TESTS)'
+
+format:
+	@sh tools/install_packages.sh
+	sh tools/check_format.sh --fix
+
+tidy:
+	@sh tools/install_packages.sh
+	cmake --preset dev
+	run-clang-tidy-14 -quiet -p build/dev '/src/.*[.]cpp$$'

@@ -1,0 +1,26 @@
+# One interface target carries every compile option of the project.
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_package(OpenMP REQUIRED COMPONENTS CXX)
+find_program(SABO_CCACHE ccache)
+if(SABO_CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${SABO_CCACHE})
+endif()
+
+add_library(sabo_options INTERFACE)
+target_compile_options(sabo_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow)
+if(SABO_WARNINGS_AS_ERRORS)
+  target_compile_options(sabo_options INTERFACE -Werror)
+endif()
+# Nobody reads errno or floating-point traps; without these two, loops with sqrt stay scalar.
+target_compile_options(sabo_options INTERFACE -fno-math-errno -fno-trapping-math)
+if(SABO_SANITIZE)
+  target_compile_options(sabo_options INTERFACE -fsanitize=${SABO_SANITIZE} -fno-omit-frame-pointer)
+  target_link_options(sabo_options INTERFACE -fsanitize=${SABO_SANITIZE})
+endif()

@@ -1,0 +1,39 @@
+#include "analysis/energy.hpp"
+
+#include <algorithm>
+
+namespace sabo {
+namespace {
+
+Energy operator+(const Energy& a, const Energy& b) {
+  return {a.mass + b.mass, a.kinetic + b.kinetic, a.potential + b.potential, a.elastic + b.elastic};
+}
+
+}  // namespace
+
+double elastic_energy(const Tait& tait, double density) {
+  const double x = density / tait.rho0;
+  const double strain = (density - tait.rho0) / tait.rho0;
+  const double sum = 6 + x * (5 + x * (4 + x * (3 + x * (2 + x))));
+  return tait.c0 * tait.c0 * strain * strain * sum / (42 * x);
+}
+
+Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait) {
+  constexpr std::size_t block = 1024;  // rounding grows with the block and the number of blocks
+  Energy total;
+  for (std::size_t first = 0; first < particles.size(); first += block) {
+    const std::size_t last = std::min(first + block, particles.size());
+    Energy sum;
+    for (std::size_t i = first; i < last; ++i) {
+      const double mass = particles.mass[i];
+      const Vec3d& velocity = particles.velocity[i];
+      sum = sum + Energy{mass, 0.5 * mass * dot(velocity, velocity),
+                         -mass * dot(gravity, particles.position[i]),
+                         mass * elastic_energy(tait, particles.density[i])};
+    }
+    total = total + sum;
+  }
+  return total;
+}
+
+}  // namespace sabo

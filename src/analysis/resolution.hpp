@@ -1,0 +1,21 @@
+#pragma once
+
+#include "terrain/raster.hpp"
+
+namespace sabo {
+
+/// How well a run resolved its flow: depth over particle spacing, on the cells that were wet.
+struct ResolutionGuard {
+  /// A layer of fewer particles than this has walls for most of its neighbours.
+  static constexpr double enough_layers = 4;
+
+  double wet_area = 0;       ///< m2
+  double median_layers = 0;  ///< median of peak depth / spacing; 0 when nothing was wet
+  double thin_share = 0;     ///< share of the wet area with fewer than `enough_layers`
+};
+
+/// From a map of peak depth (m; NaN outside the domain) and the particle spacing (m). A cell is wet
+/// from FlowMaps::wet_depth on.
+ResolutionGuard resolution_guard(const Raster& peak_depth, double spacing);
+
+}  // namespace sabo

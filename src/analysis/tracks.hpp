@@ -1,0 +1,22 @@
+#pragma once
+
+#include <vector>
+
+#include "particles/particles.hpp"
+
+namespace sabo {
+
+/// Where each particle was at the last call, found by its number: the solver may sort its rows in
+/// between, and particles may have left or come.
+class Tracks {
+ public:
+  /// Positions at the last call in the row order of `particles`, and keeps the present ones. A
+  /// particle seen for the first time has its present position. Valid until the next call.
+  const std::vector<Vec3d>& advance(const Particles& particles);
+
+ private:
+  std::vector<Vec3d> last_;    // by particle number; NaN where unknown
+  std::vector<Vec3d> before_;  // by row
+};
+
+}  // namespace sabo

@@ -1,0 +1,89 @@
+#include "app/case_option.hpp"
+
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <cstdint>
+#include <optional>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace sabo {
+namespace {
+
+/// What a help text shows for a value: its unit, its words, or that it is a number.
+template <class T>
+std::string value_name(const Key& key) {
+  if constexpr (std::is_enum_v<T>) return fmt::format("{}", fmt::join(Words<T>::list, "|"));
+  std::string unit(key.unit);
+  std::ranges::transform(unit, unit.begin(), [](unsigned char c) { return std::toupper(c); });
+  return unit.empty() ? "N" : unit;
+}
+
+struct KeyHelp {
+  std::string value_name;
+  std::string help;
+};
+
+/// Visitor of a Case that finds the help of one key of one table.
+class KeyFinder {
+ public:
+  KeyFinder(std::string_view table, std::string_view key)
+      : wanted_table_(table), wanted_key_(key) {}
+
+  template <class T>
+  void operator()(const Key& key, T& /*member*/) {
+    if (is_inside_ && key.name == wanted_key_) found = {value_name<T>(key), std::string(key.help)};
+  }
+  template <class T>
+  void table(std::string_view name, std::string_view /*help*/, T& member) {
+    if (name != wanted_table_) return;
+    is_inside_ = true;
+    member.describe(*this);
+    is_inside_ = false;
+  }
+  template <class T>
+  void tables(std::string_view /*name*/, std::string_view /*help*/, std::vector<T>& /*members*/) {}
+
+  std::optional<KeyHelp> found;
+
+ private:
+  std::string_view wanted_table_;
+  std::string_view wanted_key_;
+  bool is_inside_ = false;
+};
+
+/// A text as the value it would be in a case file; what is no number is a word.
+decltype(Override::value) value_of(const std::string& text) {
+  const char* const end = text.data() + text.size();
+  std::int64_t whole = 0;
+  if (const auto read = std::from_chars(text.data(), end, whole);
+      read.ec == std::errc() && read.ptr == end)
+    return whole;
+  double number = 0;
+  if (const auto read = std::from_chars(text.data(), end, number);
+      read.ec == std::errc() && read.ptr == end)
+    return number;
+  return text;
+}
+
+}  // namespace
+
+void add_case_option(CLI::App& command, const std::string& table, const std::string& key,
+                     std::vector<Override>& overrides) {
+  KeyFinder finder(table, key);
+  Case{}.describe(finder);
+  if (!finder.found) throw std::logic_error("no key " + table + "." + key);
+  const auto keep = [&overrides, table, key](const std::string& text) {
+    overrides.push_back({table, key, value_of(text)});
+  };
+  command.add_option_function<std::string>("--" + key, keep, finder.found->help)
+      ->type_name(finder.found->value_name);
+}
+
+}  // namespace sabo

@@ -1,0 +1,92 @@
+#include <filesystem>
+#include <memory>
+
+#include <CLI/App.hpp>
+#include <fmt/format.h>
+
+#include "app/case_option.hpp"
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/progress_display.hpp"
+#include "app/stop_signals.hpp"
+#include "run/simulation.hpp"
+
+namespace sabo {
+namespace {
+
+struct RunCommandOptions {
+  std::string case_path;
+  std::string folder;
+  bool overwrite = false;
+  std::vector<Override> overrides;
+};
+
+void print_heading(const Case& c, const std::filesystem::path& folder) {
+  if (!c.title.empty()) fmt::print("{}\n", c.title);
+  if (!c.note.empty()) fmt::print("{}\n", c.note);
+  fmt::print("Results go to {}\n", folder.string());
+  std::fflush(stdout);
+}
+
+int report(const RunResult& result) {
+  for (const std::string& line : result.summary) fmt::print("{}\n", line);
+  fmt::print("Open {}\n", result.index.string());
+  std::fflush(stdout);
+  switch (result.end) {
+    case RunEnd::finished:
+      return exit_done;
+    case RunEnd::interrupted:
+      return exit_stopped;
+    case RunEnd::failed:
+      break;
+  }
+  print_error(result.reason);
+  return exit_run_failed;
+}
+
+int run(const RunCommandOptions& options) {
+  const std::atomic<bool>& stop = catch_stop_signals();
+  Faults faults;
+  const Case c = read_case(options.case_path, faults, options.overrides);
+  faults.throw_if_any();
+
+  RunOptions run_options;
+  run_options.folder =
+      options.folder.empty() ? c.folder.filename().string() + "-run" : options.folder;
+  run_options.overwrite = options.overwrite;
+  run_options.stop = &stop;
+  ProgressDisplay display(!c.structures.empty());
+  run_options.on_progress = [&](const RunProgress& progress) { display.show(progress); };
+
+  print_heading(c, run_options.folder);
+  const RunResult result = run_case(c, run_options);
+  display.finish();
+  return report(result);
+}
+
+}  // namespace
+
+void add_run_command(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand("run", "Run a case");
+  const auto options = std::make_shared<RunCommandOptions>();
+  command->add_option("CASE", options->case_path, "case file, or folder with a case.toml")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("-o,--output", options->folder,
+                   "folder of the results; default: name of the case's folder with -run")
+      ->type_name("DIR");
+  command->add_flag("--overwrite", options->overwrite,
+                    "replace the results of a former run in that folder");
+  add_case_option(*command, "numerics", "spacing", options->overrides);
+  add_case_option(*command, "run", "duration", options->overrides);
+  add_case_option(*command, "numerics", "backend", options->overrides);
+  add_case_option(*command, "numerics", "threads", options->overrides);
+  command->footer(
+      "Examples:\n  sabo run demo\n  sabo run demo -o coarse --spacing 1.5 --duration 60");
+  command->callback([&action, options] {
+    action = {options->case_path, [=] { return run(*options); }};
+  });
+}
+
+}  // namespace sabo

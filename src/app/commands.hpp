@@ -1,0 +1,33 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace CLI {
+class App;
+}
+
+namespace sabo {
+
+/// What the program ends with.
+enum ExitCode : int {
+  exit_done = 0,
+  exit_case_is_wrong = 2,
+  exit_run_failed = 3,
+  exit_stopped = 130
+};
+
+/// What a command line asks for.
+struct Action {
+  std::string subject;             ///< of the faults it may find, e.g. the case; may be empty
+  std::function<int()> carry_out;  ///< returns an ExitCode or throws
+};
+
+// Each adds one command to the program. Parsing a line that names it sets `action`.
+void add_new_command(CLI::App& program, Action& action);
+void add_check_command(CLI::App& program, Action& action);
+void add_run_command(CLI::App& program, Action& action);
+void add_info_command(CLI::App& program, Action& action);
+void add_models_command(CLI::App& program, Action& action);
+
+}  // namespace sabo

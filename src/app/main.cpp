@@ -1,0 +1,78 @@
+#include <exception>
+#include <new>
+#include <string>
+
+#include <CLI/App.hpp>
+#include <CLI/Config.hpp>
+#include <CLI/Formatter.hpp>
+#include <fmt/format.h>
+
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/suggestions.hpp"
+#include "base/version.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr const char* examples = R"(Examples:
+  sabo new yohutagawa demo                   write an example with its input files
+  sabo check demo                            what the case holds, and what is wrong with it
+  sabo run demo --spacing 1.5 --duration 60  run it, coarser and shorter than it says
+  sabo info demo-run                         what came out
+
+Exit codes: 0 done, 2 the case or the command line is wrong, 3 the run failed, 130 interrupted.)";
+
+void describe_program(CLI::App& program, Action& action) {
+  program.name("sabo");
+  program.set_version_flag("--version", fmt::format("sabo {}", build_version));
+  program.require_subcommand(1);
+  program.footer(examples);
+  add_new_command(program, action);
+  add_check_command(program, action);
+  add_run_command(program, action);
+  add_info_command(program, action);
+  add_models_command(program, action);
+}
+
+int carry_out(const Action& action) {
+  try {
+    return action.carry_out();
+  } catch (const CaseError& error) {
+    print_faults(action.subject, error.faults());
+    return exit_case_is_wrong;
+  } catch (const std::bad_alloc&) {
+    print_error("not enough memory; try a larger numerics.spacing or a smaller terrain.crop");
+  } catch (const std::exception& error) {  // RunError among them
+    print_error(error.what());
+  }
+  return exit_run_failed;
+}
+
+int run_program(int argc, char** argv) {
+  CLI::App program("Debris flows in three dimensions, from a DEM to a deposit map");
+  Action action;
+  describe_program(program, action);
+  if (argc < 2) {
+    fmt::print("{}", program.help());
+    return exit_case_is_wrong;
+  }
+  if (const std::string fault = fault_of_command(program, argv[1]); !fault.empty()) {
+    print_error(fault);
+    return exit_case_is_wrong;
+  }
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::Success& help_or_version) {
+    return program.exit(help_or_version);
+  } catch (const CLI::ParseError& error) {
+    print_error(explained(program, error));
+    return exit_case_is_wrong;
+  }
+  return carry_out(action);
+}
+
+}  // namespace
+}  // namespace sabo
+
+int main(int argc, char** argv) { return sabo::run_program(argc, argv); }

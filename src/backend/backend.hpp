@@ -1,0 +1,85 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "backend/model.hpp"
+#include "particles/particles.hpp"
+#include "physics/time_step.hpp"
+
+namespace sabo {
+
+/// Half-open range of particle indices; sweeps take one so that halos can be left out.
+struct Range {
+  std::size_t first = 0;
+  std::size_t last = 0;
+};
+
+/// State of a flow that the user or the run should hear of.
+struct FlowHealth {
+  double min_density_ratio = 1;  ///< of fluid particles, rho / rho0
+  double max_density_ratio = 1;
+  bool is_finite = true;  ///< no NaN or infinity in position, velocity or density
+};
+
+/// Arrays of particles and the loops over them. The solver calls the sweeps in the order of the
+/// physics; a sweep reads what the ones before it wrote. Implementations differ in where the arrays
+/// live and how pairs are found, never in the formulas (src/physics).
+class Backend {
+ public:
+  explicit Backend(const FlowModel& model) : model_(model) {}
+  Backend(const Backend&) = delete;
+  Backend& operator=(const Backend&) = delete;
+  virtual ~Backend() = default;
+
+  const FlowModel& model() const { return model_; }
+
+  /// State on the host. After a change from outside, find_neighbours() must run before any sweep.
+  virtual Particles& fluid() = 0;
+  virtual Particles& boundary() = 0;
+
+  /// Whether some particle may have moved too far for the neighbour list.
+  virtual bool neighbours_are_stale() const = 0;
+  /// Distance within which the list holds every pair at the time it is made, m.
+  virtual double list_radius() const = 0;
+  /// Sorts the particles, wraps periodic positions and lists the pairs.
+  virtual void find_neighbours() = 0;
+
+  /// Pressure of all particles from their density (Eq. 14).
+  virtual void pressure() = 0;
+  /// Strain rate of all particles (Eq. 16) and rate of density (Eqs. 7, 11).
+  virtual void strain_and_density_rates() = 0;
+  /// Yield stress, effective viscosity and stress of all particles (Eqs. 17, 21-26).
+  virtual void stress() = 0;
+  /// Acceleration of the fluid (Eqs. 13, 18).
+  virtual void momentum() = 0;
+
+  /// Density of boundary particles from the pressure of the fluid near them, carried along the
+  /// gravity (Adami et al. 2012, Eq. 27 for walls at rest); at least the reference density. For the
+  /// start of a run: later the boundary follows continuity. Needs pressure().
+  virtual void extrapolate_to_boundary() = 0;
+
+  /// Extremes of the last evaluation, for the time step.
+  virtual FlowExtremes extremes() const = 0;
+  virtual FlowHealth health() const = 0;
+  /// Power that viscosity turns into heat at the last evaluation, W.
+  virtual double dissipation() const = 0;
+
+  /// Keeps the state as the start of a step and moves it half a step with the current rates.
+  virtual void predict(double dt) = 0;
+  /// Moves from the start of the step over the whole step with the rates at its middle.
+  virtual void correct(double dt) = 0;
+  /// Positions at the start of the last step, in the present order of the fluid.
+  virtual const std::vector<Vec3d>& start_positions() const = 0;
+
+  /// Accelerations of the last evaluation, in the present order of the fluid, m/s2.
+  virtual const std::vector<Vec3d>& accelerations() const = 0;
+  /// Rates of density of the last evaluation; fluid first, then boundary, kg/m3/s.
+  virtual const std::vector<double>& density_rates() const = 0;
+
+ protected:
+  FlowModel model_;
+};
+
+}  // namespace sabo

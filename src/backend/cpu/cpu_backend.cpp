@@ -1,0 +1,166 @@
+#include "backend/cpu/cpu_backend.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <string>
+
+#include "backend/cpu/neighbour_search.hpp"
+#include "base/error.hpp"
+
+namespace sabo {
+namespace {
+
+using Index = std::ptrdiff_t;
+
+/// Runs f(range) over fixed blocks of [0, count) on all threads.
+template <class F>
+void parallel_blocks(std::size_t count, int threads, const F& f) {
+  constexpr std::size_t block = 128;
+  const Index blocks = static_cast<Index>((count + block - 1) / block);
+#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
+  for (Index b = 0; b < blocks; ++b) f(Range{b * block, std::min(count, (b + 1) * block)});
+}
+
+}  // namespace
+
+CpuBackend::CpuBackend(const FlowModel& model, const PairSweeps& sweeps)
+    : HostBackend(model), sweeps_(sweeps), skin_(0.2 * model.h) {
+  // Otherwise two images of one particle could both lie within the kernel.
+  const double shortest = model.kernel_radius() + list_radius();
+  for (int axis = 0; axis < 3; ++axis)
+    if (model.periodic.on(axis) && Periodic::along(model.periodic.period[axis], axis) < shortest)
+      throw CaseError("periodic", "a period is shorter than two kernel radii and the list's skin",
+                      "make it at least " + std::to_string(shortest) + " m");
+}
+
+void CpuBackend::list_pairs() {
+  NeighbourSearch search(model_.periodic, list_radius(), threads());
+  search.sort(fluid_, boundary_);
+  search.fill(fluid_.position, boundary_.position, list_, has_neighbours_);
+  listed_position_ = fluid_.position;
+  set_scale();
+}
+
+void CpuBackend::fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const {
+  const std::size_t self = fluid_.size() + b;
+  const PairList::Row row = list_.row(self);
+  std::copy_if(row.fluid, row.boundary, std::back_inserter(near),
+               [&](std::uint32_t j) { return j != self; });
+}
+
+void CpuBackend::set_scale() {
+  Vec3d low, high;
+  bounding_box({&fluid_.position, &boundary_.position}, low, high);
+  centre_ = 0.5 * (low + high);
+  // The list is made anew long before a particle leaves the doubled box.
+  const double reach = (high.x - low.x) + (high.y - low.y) + (high.z - low.z) + list_radius();
+  const int exponent = static_cast<int>(std::ceil(std::log2(reach))) - 30;
+  scale_.unit = static_cast<float>(std::ldexp(1.0, exponent));
+
+  scale_.periodic = model_.periodic.any();
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3d& p = model_.periodic.period[axis];
+    scale_.period[axis] = {float(p.x), float(p.y), float(p.z)};
+    scale_.inverse_period[axis] =
+        model_.periodic.on(axis) ? float(1 / Periodic::along(p, axis)) : 0.0f;
+  }
+  const auto kernel = model_.kernel<float>();
+  scale_.h = kernel.h;
+  scale_.kernel_alpha = kernel.alpha;
+  scale_.eta2 = float(model_.eta2());
+  scale_.rho0 = float(model_.state.rho0);
+  const Vec3d background = model_.diffusion_background();
+  scale_.two_zeta_h_c0 = float(2 * model_.density_diffusion * model_.h * model_.state.c0);
+  scale_.hydrostatic = {float(background.x), float(background.y), float(background.z)};
+  scale_.wall_velocity_factor = float(model_.wall_velocity_factor());
+  scale_.alpha_c0_h = float(model_.artificial_viscosity * model_.state.c0 * model_.h);
+  scale_.two_point_viscosity = model_.viscous_operator == ViscousOperator::morris;
+}
+
+bool CpuBackend::neighbours_are_stale() const {
+  if (listed_position_.size() != fluid_.size() || list_.size() != fluid_.size() + boundary_.size())
+    return true;
+  double moved2 = 0;
+  double speed2 = 0;
+  const Index count = static_cast<Index>(fluid_.size());
+#pragma omp parallel for num_threads(threads()) schedule(static) reduction(max : moved2, speed2)
+  for (Index i = 0; i < count; ++i) {
+    const Vec3d d = fluid_.position[i] - listed_position_[i];
+    moved2 = std::max(moved2, dot(d, d));
+    speed2 = std::max(speed2, dot(fluid_.velocity[i], fluid_.velocity[i]));
+  }
+  // Room for the coming half step: dt <= 0.15 h / v for any CFL number up to 1.5.
+  const double half_step = std::sqrt(speed2) > 0 ? 0.02 * model_.h : 0;
+  return std::sqrt(moved2) + half_step > 0.5 * skin_;
+}
+
+void CpuBackend::pack_motion() {
+  motion_.resize(fluid_.size() + boundary_.size());
+  const double per_unit = 1.0 / scale_.unit;
+  std::size_t offset = 0;
+  for (const Particles* p : {&fluid_, &boundary_}) {
+    const Index count = static_cast<Index>(p->size());
+#pragma omp parallel for num_threads(threads()) schedule(static)
+    for (Index i = 0; i < count; ++i) {
+      const Vec3d x = per_unit * (p->position[i] - centre_);
+      const Vec3d& v = p->velocity[i];
+      motion_[offset + i] = {static_cast<std::int32_t>(std::lrint(x.x)),
+                             static_cast<std::int32_t>(std::lrint(x.y)),
+                             static_cast<std::int32_t>(std::lrint(x.z)),
+                             float(v.x),
+                             float(v.y),
+                             float(v.z),
+                             float(p->density[i] / model_.state.rho0 - 1),
+                             float(p->mass[i] / p->density[i])};
+    }
+    offset += p->size();
+  }
+}
+
+void CpuBackend::pack_stress() {
+  stress_records_.resize(motion_.size());
+  const double convention = model_.strain_convention();
+  std::size_t offset = 0;
+  for (const Particles* p : {&fluid_, &boundary_}) {
+    const Index count = static_cast<Index>(p->size());
+#pragma omp parallel for num_threads(threads()) schedule(static)
+    for (Index i = 0; i < count; ++i) {
+      const MotionRecord& m = motion_[offset + i];
+      const Sym3<double>& s = stress_[offset + i];
+      stress_records_[offset + i] = {
+          m.x,           m.y,           m.z,           float(p->mass[i]),
+          float(s.xx),   float(s.xy),   float(s.xz),   float(s.yy),
+          float(s.yz),   float(s.zz),   m.vx,          m.vy,
+          m.vz,          float(convention * p->viscosity[i]), float(p->density[i]), 0.0f};
+    }
+    offset += p->size();
+  }
+}
+
+void CpuBackend::strain_and_density_rates() {
+  pack_motion();
+  parallel_blocks(motion_.size(), threads(), [&](Range range) {
+    sweeps_.motion({&scale_, &list_, motion_.data(), fluid_.size(), range.first, range.last,
+                    strain_.data(), density_rate_.data()});
+  });
+}
+
+void CpuBackend::momentum() {
+  pack_stress();
+  parallel_blocks(fluid_.size(), threads(), [&](Range range) {
+    sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last,
+                   model_.gravity, acceleration_.data()});
+  });
+}
+
+std::size_t CpuBackend::listed_pairs() const {
+  std::size_t pairs = 0;
+  for (std::size_t i = 0; i < list_.size(); ++i) {
+    const PairList::Row row = list_.row(i);
+    for (const std::uint32_t* j = row.fluid; j != row.end; ++j) pairs += *j != i;
+  }
+  return pairs;
+}
+
+}  // namespace sabo

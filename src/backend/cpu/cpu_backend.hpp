@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "backend/cpu/pair_list.hpp"
+#include "backend/cpu/pair_sweeps.hpp"
+#include "backend/cpu/records.hpp"
+#include "backend/host_backend.hpp"
+
+namespace sabo {
+
+/// OpenMP threads, particles sorted by column, a neighbour list with skin, pair sums in single
+/// precision over exact position differences. State and integration stay in double precision.
+class CpuBackend : public HostBackend {
+ public:
+  explicit CpuBackend(const FlowModel& model, const PairSweeps& sweeps = best_pair_sweeps());
+
+  bool neighbours_are_stale() const override;
+  double list_radius() const override { return model_.kernel_radius() + skin_; }
+  void strain_and_density_rates() override;
+  void momentum() override;
+
+  /// Listed pairs, without the padding's share: for benchmarks and tests.
+  std::size_t listed_pairs() const;
+
+ protected:
+  void list_pairs() override;
+  void fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const override;
+
+ private:
+  void set_scale();
+  void pack_motion();
+  void pack_stress();
+
+  const PairSweeps& sweeps_;
+  double skin_;
+  std::vector<Vec3d> listed_position_;  // fluid, when the list was made
+  Vec3d centre_;                        // of all particles; zero of the integer positions
+  PairScale scale_;
+  PairList list_;
+  std::vector<MotionRecord> motion_;
+  std::vector<StressRecord> stress_records_;
+};
+
+}  // namespace sabo

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace sabo {
+
+/// Neighbours of every particle, fluid neighbours first. Each of the two runs is padded to whole
+/// SIMD vectors with the particle itself: a pair at distance zero with equal velocity, density and
+/// stress adds exactly nothing to any sum, so the loops have no remainder.
+class PairList {
+ public:
+  static constexpr std::size_t lanes = 16;  ///< floats in the widest vector (512 bits)
+  static constexpr std::size_t chunk = 256; ///< particles whose neighbours are stored together
+
+  struct Row {
+    const std::uint32_t* fluid;     ///< first fluid neighbour
+    const std::uint32_t* boundary;  ///< first boundary neighbour, end of the fluid ones
+    const std::uint32_t* end;
+  };
+
+  void reset(std::size_t particles) {
+    rows_.resize(particles);
+    chunks_.resize((particles + chunk - 1) / chunk);
+  }
+
+  std::size_t chunk_count() const { return chunks_.size(); }
+  std::size_t size() const { return rows_.size(); }
+  Row row(std::size_t i) const {
+    const std::uint32_t* base = chunks_[i / chunk].data();
+    const Offsets& o = rows_[i];
+    return {base + o.fluid, base + o.boundary, base + o.end};
+  }
+
+  /// Fills one chunk: `append(i, part, neighbours)` appends the neighbours of i, part 0 fluid and
+  /// part 1 boundary. Chunks may be filled by different threads; the outcome does not depend on it.
+  template <class Append>
+  void fill_chunk(std::size_t c, const Append& append) {
+    std::vector<std::uint32_t>& list = chunks_[c];
+    list.clear();
+    const std::size_t last = std::min(rows_.size(), (c + 1) * chunk);
+    for (std::size_t i = c * chunk; i < last; ++i) {
+      rows_[i].fluid = static_cast<std::uint32_t>(list.size());
+      append(i, 0, list);
+      pad(list, rows_[i].fluid, i);
+      rows_[i].boundary = static_cast<std::uint32_t>(list.size());
+      append(i, 1, list);
+      pad(list, rows_[i].boundary, i);
+      rows_[i].end = static_cast<std::uint32_t>(list.size());
+    }
+  }
+
+ private:
+  struct Offsets {
+    std::uint32_t fluid, boundary, end;
+  };
+
+  static void pad(std::vector<std::uint32_t>& list, std::size_t start, std::size_t self) {
+    while ((list.size() - start) % lanes != 0) list.push_back(static_cast<std::uint32_t>(self));
+  }
+
+  std::vector<Offsets> rows_;
+  std::vector<std::vector<std::uint32_t>> chunks_;
+};
+
+}  // namespace sabo

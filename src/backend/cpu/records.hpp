@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+
+namespace sabo {
+
+// What the pair sweeps read of a neighbour, one cache line or half of one. Positions are integers
+// in units of a power of two far below the spacing: their difference is exact, so that a pair far
+// from the origin is as good as one near it, and half the size of doubles.
+
+struct alignas(32) MotionRecord {
+  std::int32_t x, y, z;  ///< position / PairScale::unit
+  float vx, vy, vz;      ///< m/s
+  float excess;          ///< rho / rho0 - 1
+  float volume;          ///< m / rho, m3 (m2 in two dimensions)
+};
+static_assert(sizeof(MotionRecord) == 32);
+
+struct alignas(64) StressRecord {
+  std::int32_t x, y, z;
+  float mass;                    ///< kg
+  float xx, xy, xz, yy, yz, zz;  ///< (tau - p I) / rho^2
+  float vx, vy, vz;              ///< m/s
+  float viscosity;               ///< Pa s, already times the strain convention
+  float density;                 ///< kg/m3
+  float unused;
+};
+static_assert(sizeof(StressRecord) == 64);
+
+}  // namespace sabo

@@ -1,0 +1,179 @@
+// Compiled once for each instruction set (src/CMakeLists.txt), SABO_SWEEPS naming the result.
+
+#include "backend/cpu/pair_sweeps.hpp"
+
+#include "backend/cpu/simd/lanes.hpp"
+#include "backend/cpu/simd/transpose.hpp"
+#include "physics/pair/density.hpp"
+#include "physics/pair/forces.hpp"
+#include "physics/pair/strain_rate.hpp"
+
+namespace sabo {
+namespace HWY_NAMESPACE {
+namespace {
+
+static_assert(PairList::lanes % Lanes::count == 0, "rows are padded to whole vectors");
+
+using Vec = Vec3<Lanes>;
+
+/// Constants of the pair sweeps in every lane.
+struct Constants {
+  explicit Constants(const PairScale& s)
+      : unit(s.unit), kernel{Lanes(s.h), Lanes(s.kernel_alpha)}, eta2(s.eta2), rho0(s.rho0),
+        diffusion{Lanes(s.two_zeta_h_c0), eta2,
+                  {Lanes(s.hydrostatic.x), Lanes(s.hydrostatic.y), Lanes(s.hydrostatic.z)}},
+        alpha_c0_h(s.alpha_c0_h) {
+    for (int axis = 0; axis < 3; ++axis) {
+      inverse_period[axis] = Lanes(s.inverse_period[axis]);
+      const Vec3f& p = s.period[axis];
+      period[axis] = {Lanes(p.x), Lanes(p.y), Lanes(p.z)};
+    }
+  }
+
+  Lanes unit;
+  WendlandC2<Lanes> kernel;
+  Lanes eta2, rho0;
+  DensityDiffusion<Lanes> diffusion;
+  Lanes alpha_c0_h;
+  Lanes inverse_period[3];
+  Vec period[3];
+};
+
+/// x_i - x_j from integer positions; on periodic axes the nearest image. Integer subtraction wraps
+/// by definition and is exact.
+template <bool periodic>
+HWY_INLINE Vec separation(const Constants& s, const std::int32_t (&i)[3], const Columns& j) {
+  const hn::RebindToSigned<Lanes::Tag> integers;
+  const auto difference = [&](int axis) {
+    const auto d = hn::Sub(hn::Set(integers, i[axis]), hn::BitCast(integers, j[axis].v));
+    return s.unit * Lanes(hn::ConvertTo(Lanes::Tag(), d));
+  };
+  Vec x{difference(0), difference(1), difference(2)};
+  if constexpr (periodic) {
+    x -= round(x.x * s.inverse_period[0]) * s.period[0];
+    x -= round(x.y * s.inverse_period[1]) * s.period[1];
+    x -= round(x.z * s.inverse_period[2]) * s.period[2];
+  }
+  return x;
+}
+
+struct MotionSums {
+  Sym3<Lanes> eps;
+  Lanes rate;
+};
+
+/// Adds one run of neighbours. `diffusive` for fluid pairs; `wall` scales the strain of pairs
+/// across the wall.
+template <bool periodic, bool diffusive>
+HWY_INLINE void add_motion(const Constants& s, const MotionTask& task, std::size_t i,
+                           const std::uint32_t* begin, const std::uint32_t* end, float wall,
+                           MotionSums& sums) {
+  const MotionRecord& me = task.records[i];
+  const std::int32_t place[3] = {me.x, me.y, me.z};
+  const Vec velocity{Lanes(me.vx), Lanes(me.vy), Lanes(me.vz)};
+  const Lanes excess(me.excess), wall_factor(wall);
+  const float* records = reinterpret_cast<const float*>(task.records);
+  for (const std::uint32_t* k = begin; k != end; k += Lanes::count) {
+    const Columns j = load_transposed(records, 8, 0, k);
+    const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
+    const Vec v = velocity - Vec{j[3], j[4], j[5]};
+    const Lanes excess_j = j[6], volume_j = j[7];
+    const Lanes mass_j = volume_j * (s.rho0 + s.rho0 * excess_j);
+    sums.rate += continuity(pair, v, mass_j);
+    if constexpr (diffusive) sums.rate += s.diffusion(pair, excess, excess_j, mass_j);
+    sums.eps += strain_rate(pair, wall_factor * v, volume_j);
+  }
+}
+
+template <bool periodic>
+void motion_range(const MotionTask& task) {
+  const Constants s(*task.scale);
+  const float wall = task.scale->wall_velocity_factor;
+  for (std::size_t i = task.first; i < task.last; ++i) {
+    const PairList::Row row = task.list->row(i);
+    MotionSums sums;
+    if (i < task.fluid_count) {
+      add_motion<periodic, true>(s, task, i, row.fluid, row.boundary, 1, sums);
+      add_motion<periodic, false>(s, task, i, row.boundary, row.end, wall, sums);
+    } else {
+      add_motion<periodic, false>(s, task, i, row.fluid, row.boundary, wall, sums);
+    }
+    const Sym3<Lanes>& e = sums.eps;
+    task.strain[i] = {sum(e.xx), sum(e.xy), sum(e.xz), sum(e.yy), sum(e.yz), sum(e.zz)};
+    task.density_rate[i] = sum(sums.rate);
+  }
+}
+
+/// Adds one run of neighbours; `wall` is the velocity factor of pairs across the wall, whose
+/// viscosity is that of the fluid.
+template <bool periodic, bool two_point, bool artificial>
+HWY_INLINE void add_force(const Constants& s, const ForceTask& task, std::size_t i,
+                          const std::uint32_t* begin, const std::uint32_t* end, const float* wall,
+                          Vec& acceleration) {
+  const StressRecord& me = task.records[i];
+  const std::int32_t place[3] = {me.x, me.y, me.z};
+  const Sym3<Lanes> stress{Lanes(me.xx), Lanes(me.xy), Lanes(me.xz),
+                           Lanes(me.yy), Lanes(me.yz), Lanes(me.zz)};
+  const Vec velocity{Lanes(me.vx), Lanes(me.vy), Lanes(me.vz)};
+  const Lanes viscosity(me.viscosity), density(me.density);
+  const float* records = reinterpret_cast<const float*>(task.records);
+  for (const std::uint32_t* k = begin; k != end; k += Lanes::count) {
+    const Columns j = load_transposed(records, 16, 0, k);
+    const Columns more = load_transposed(records, 16, 8, k);
+    const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
+    const Lanes mass_j = j[3];
+    const Sym3<Lanes> stress_j{j[4], j[5], j[6], j[7], more[0], more[1]};
+    acceleration += stress_force(pair, stress, stress_j, mass_j);
+    if constexpr (two_point || artificial) {
+      const Vec v = velocity - Vec{more[2], more[3], more[4]};
+      const Lanes viscosity_j = more[5], density_j = more[6];
+      if constexpr (two_point) {
+        const Lanes mu = wall ? Lanes(*wall) * viscosity : pair_viscosity(viscosity, viscosity_j);
+        acceleration += morris_force(pair, v, mu, mass_j / (density * density_j), s.eta2);
+      }
+      if constexpr (artificial)
+        acceleration += artificial_force(pair, v, s.alpha_c0_h,
+                                         Lanes(2) * mass_j / (density + density_j), s.eta2);
+    }
+  }
+}
+
+template <bool periodic, bool two_point, bool artificial>
+void force_range(const ForceTask& task) {
+  const Constants s(*task.scale);
+  const float* wall = &task.scale->wall_velocity_factor;
+  for (std::size_t i = task.first; i < task.last; ++i) {
+    const PairList::Row row = task.list->row(i);
+    Vec a;
+    add_force<periodic, two_point, artificial>(s, task, i, row.fluid, row.boundary, nullptr, a);
+    add_force<periodic, two_point, artificial>(s, task, i, row.boundary, row.end, wall, a);
+    task.acceleration[i] = task.gravity + Vec3d{sum(a.x), sum(a.y), sum(a.z)};
+  }
+}
+
+template <bool periodic>
+void force_with_switches(const ForceTask& task) {
+  const bool artificial = task.scale->alpha_c0_h > 0;
+  if (task.scale->two_point_viscosity)
+    artificial ? force_range<periodic, true, true>(task) : force_range<periodic, true, false>(task);
+  else
+    artificial ? force_range<periodic, false, true>(task)
+               : force_range<periodic, false, false>(task);
+}
+
+void motion(const MotionTask& task) {
+  task.scale->periodic ? motion_range<true>(task) : motion_range<false>(task);
+}
+
+void force(const ForceTask& task) {
+  task.scale->periodic ? force_with_switches<true>(task) : force_with_switches<false>(task);
+}
+
+}  // namespace
+}  // namespace HWY_NAMESPACE
+
+extern const PairSweeps SABO_SWEEPS;
+const PairSweeps SABO_SWEEPS{hwy::TargetName(HWY_STATIC_TARGET), HWY_NAMESPACE::motion,
+                             HWY_NAMESPACE::force};
+
+}  // namespace sabo

@@ -1,0 +1,203 @@
+#include "backend/host_backend.hpp"
+
+#include <omp.h>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "physics/pair/strain_rate.hpp"
+
+namespace sabo {
+namespace {
+
+using Index = std::ptrdiff_t;  // OpenMP loops want a signed index
+
+/// Sum of f(i) over fixed blocks, so that it has the same bits for any number of threads.
+template <class F>
+double blocked_sum(std::size_t count, int threads, const F& f) {
+  constexpr std::size_t block = 1024;
+  const std::size_t blocks = (count + block - 1) / block;
+  std::vector<double> partial(blocks, 0.0);
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (Index b = 0; b < static_cast<Index>(blocks); ++b) {
+    const std::size_t last = std::min(count, (b + 1) * block);
+    for (std::size_t i = b * block; i < last; ++i) partial[b] += f(i);
+  }
+  double sum = 0;
+  for (const double p : partial) sum += p;
+  return sum;
+}
+
+}  // namespace
+
+HostBackend::HostBackend(const FlowModel& model)
+    : Backend(model), threads_(model.threads > 0 ? model.threads : omp_get_max_threads()) {}
+
+void HostBackend::find_neighbours() {
+  if (model_.periodic.any())
+    for (Vec3d& position : fluid_.position) position = model_.periodic.wrapped(position);
+  list_pairs();
+  const std::size_t all = fluid_.size() + boundary_.size();
+  strain_.assign(all, {});
+  stress_.assign(all, {});
+  density_rate_.assign(all, 0);
+  acceleration_.assign(fluid_.size(), {});
+}
+
+void HostBackend::pressure() {
+  const Tait state = model_.state;
+  for (Particles* particles : {&fluid_, &boundary_}) {
+    const Index count = static_cast<Index>(particles->size());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+    for (Index i = 0; i < count; ++i)
+      particles->pressure[i] = state.pressure(particles->density[i]);
+  }
+}
+
+template <class Law>
+void HostBackend::stress_of(const Law& law, Particles& particles, std::size_t offset,
+                            bool carries_stress) {
+  const MohrCoulomb yield = model_.yield;
+  const double slope = yield.slope();
+  const double convention = model_.strain_convention();  // in the shear rate and in the stress
+  const Index count = static_cast<Index>(particles.size());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (Index i = 0; i < count; ++i) {
+    const Sym3<double>& eps = strain_[offset + i];
+    const double p = particles.pressure[i];
+    const double gd = convention * shear_rate(eps);
+    const double mu = law.viscosity(gd, Law::has_yield ? yield(p, slope) : 0);
+    const double rho2 = particles.density[i] * particles.density[i];
+    particles.shear_rate[i] = gd;
+    particles.viscosity[i] = mu;
+    stress_[offset + i] = isotropic(-p / rho2);
+    if (carries_stress) stress_[offset + i] += (convention * mu / rho2) * eps;
+  }
+}
+
+void HostBackend::stress() {
+  const bool nested = model_.viscous_operator == ViscousOperator::nested;
+  const bool wall = nested && model_.boundary_stress != BoundaryStress::none;
+  std::visit(
+      [&](const auto& law) {
+        stress_of(law, fluid_, 0, nested);
+        stress_of(law, boundary_, fluid_.size(), wall);
+      },
+      model_.rheology);
+}
+
+void HostBackend::extrapolate_to_boundary() {
+  const auto kernel = model_.kernel<double>();
+  const Index walls = static_cast<Index>(boundary_.size());
+#pragma omp parallel num_threads(threads_)
+  {
+    std::vector<std::uint32_t> near;
+#pragma omp for schedule(static)
+    for (Index b = 0; b < walls; ++b) {
+      near.clear();
+      fluid_near(b, near);
+      double weight = 0;
+      double pressure = 0;
+      for (const std::uint32_t j : near) {
+        const Vec3d x = model_.periodic.nearest(boundary_.position[b] - fluid_.position[j]);
+        const double w = kernel.value(norm(x));
+        weight += w;
+        pressure += w * (fluid_.pressure[j] + fluid_.density[j] * dot(model_.gravity, x));
+      }
+      if (weight > 0)
+        boundary_.density[b] = model_.state.density(std::max(0.0, pressure / weight));
+    }
+  }
+}
+
+FlowExtremes HostBackend::extremes() const {
+  double speed2 = 0;
+  double acceleration2 = 0;
+  double viscosity = 0;
+  const Index count = static_cast<Index>(fluid_.size());
+#pragma omp parallel for num_threads(threads_) schedule(static) \
+    reduction(max : speed2, acceleration2, viscosity)
+  for (Index i = 0; i < count; ++i) {
+    // A particle in free flight interacts with nobody: it must not set everybody's step.
+    if (!has_neighbours_[i]) continue;
+    speed2 = std::max(speed2, dot(fluid_.velocity[i], fluid_.velocity[i]));
+    acceleration2 = std::max(acceleration2, dot(acceleration_[i], acceleration_[i]));
+    viscosity = std::max(viscosity, fluid_.viscosity[i] / fluid_.density[i]);
+  }
+  return {std::sqrt(speed2), std::sqrt(acceleration2), viscosity};
+}
+
+FlowHealth HostBackend::health() const {
+  double lowest = model_.state.rho0;
+  double highest = model_.state.rho0;
+  bool is_finite = true;
+  const Index count = static_cast<Index>(fluid_.size());
+#pragma omp parallel for num_threads(threads_) schedule(static) \
+    reduction(min : lowest) reduction(max : highest) reduction(&& : is_finite)
+  for (Index i = 0; i < count; ++i) {
+    const Vec3d& x = fluid_.position[i];
+    const Vec3d& v = fluid_.velocity[i];
+    is_finite = is_finite && std::isfinite(x.x + x.y + x.z + v.x + v.y + v.z + fluid_.density[i]);
+    lowest = std::min(lowest, fluid_.density[i]);
+    highest = std::max(highest, fluid_.density[i]);
+  }
+  return {lowest / model_.state.rho0, highest / model_.state.rho0, is_finite};
+}
+
+double HostBackend::dissipation() const {
+  // tau : D = mu eps:eps / 2 = mu gd^2; the printed convention halves both eps, so
+  // mu (eps/2):(eps/2) = 2 mu gd_printed^2 with gd_printed = gd / 2.
+  const double factor = model_.as_printed ? 2 : 1;
+  return blocked_sum(fluid_.size(), threads_, [&](std::size_t i) {
+    const double gd = fluid_.shear_rate[i];
+    return factor * fluid_.mass[i] / fluid_.density[i] * fluid_.viscosity[i] * gd * gd;
+  });
+}
+
+void HostBackend::predict(double dt) {
+  start_position_ = fluid_.position;
+  start_velocity_ = fluid_.velocity;
+  start_density_ = fluid_.density;
+  start_boundary_density_ = boundary_.density;
+  const double half = 0.5 * dt;
+  const double rho0 = model_.state.rho0;
+  const Index fluids = static_cast<Index>(fluid_.size());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (Index i = 0; i < fluids; ++i) {
+    fluid_.position[i] += half * fluid_.velocity[i];
+    fluid_.velocity[i] += half * acceleration_[i];
+    fluid_.density[i] += half * density_rate_[i];
+  }
+  const Index walls = static_cast<Index>(boundary_.size());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (Index i = 0; i < walls; ++i)
+    boundary_.density[i] = std::max(rho0, boundary_.density[i] + half * density_rate_[fluids + i]);
+}
+
+void HostBackend::correct(double dt) {
+  const double rho0 = model_.state.rho0;
+  // rho(n+1) = rho(n) (2 + k) / (2 - k), k = dt (drho/dt) / rho at the middle: the implicit
+  // midpoint of d(ln rho)/dt, which keeps rho positive (Parshikov et al. 2000).
+  const auto advanced = [dt](double start, double middle, double rate) {
+    const double k = dt * rate / middle;
+    return start * (2 + k) / (2 - k);
+  };
+  const Index fluids = static_cast<Index>(fluid_.size());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (Index i = 0; i < fluids; ++i) {
+    const Vec3d velocity = start_velocity_[i] + dt * acceleration_[i];
+    fluid_.position[i] = start_position_[i] + (0.5 * dt) * (start_velocity_[i] + velocity);
+    fluid_.velocity[i] = velocity;
+    fluid_.density[i] = advanced(start_density_[i], fluid_.density[i], density_rate_[i]);
+  }
+  // A wall that remembers suction would hold the flow back: boundary density stays at or above
+  // its reference (as in dynamic boundary codes since Crespo et al. 2007).
+  const Index walls = static_cast<Index>(boundary_.size());
+#pragma omp parallel for num_threads(threads_) schedule(static)
+  for (Index i = 0; i < walls; ++i)
+    boundary_.density[i] = std::max(rho0, advanced(start_boundary_density_[i],
+                                                   boundary_.density[i], density_rate_[fluids + i]));
+}
+
+}  // namespace sabo

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "math/sym3.hpp"
+
+namespace sabo {
+
+/// A backend whose arrays live in host memory: owns the state and the sweeps that look at one
+/// particle at a time. Pairs are left to the backends proper.
+class HostBackend : public Backend {
+ public:
+  explicit HostBackend(const FlowModel& model);
+
+  Particles& fluid() override { return fluid_; }
+  Particles& boundary() override { return boundary_; }
+
+  void find_neighbours() override;
+  void pressure() override;
+  void stress() override;
+  void extrapolate_to_boundary() override;
+  FlowExtremes extremes() const override;
+  FlowHealth health() const override;
+  double dissipation() const override;
+  void predict(double dt) override;
+  void correct(double dt) override;
+  const std::vector<Vec3d>& start_positions() const override { return start_position_; }
+  const std::vector<Vec3d>& accelerations() const override { return acceleration_; }
+  const std::vector<double>& density_rates() const override { return density_rate_; }
+
+ protected:
+  /// Lists the pairs of the present positions, reordering the particles if it likes.
+  virtual void list_pairs() = 0;
+  /// Fluid particles within the kernel of boundary particle b; duplicates and others may be among
+  /// them only if they are too far to count.
+  virtual void fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const = 0;
+
+  int threads() const { return threads_; }
+
+  Particles fluid_;
+  Particles boundary_;
+
+  // Results of the last evaluation. Arrays over all particles hold the fluid first.
+  std::vector<Sym3<double>> strain_;   ///< eps = grad v + (grad v)^T, 1/s
+  std::vector<Sym3<double>> stress_;   ///< (tau - p I) / rho^2; without tau for two-point viscosity
+  std::vector<double> density_rate_;   ///< kg/m3/s
+  std::vector<Vec3d> acceleration_;    ///< fluid only, m/s2
+  std::vector<char> has_neighbours_;   ///< fluid only
+
+ private:
+  template <class Law>
+  void stress_of(const Law& law, Particles& particles, std::size_t offset, bool carries_stress);
+
+  int threads_;
+  std::vector<Vec3d> start_position_;
+  std::vector<Vec3d> start_velocity_;
+  std::vector<double> start_density_;
+  std::vector<double> start_boundary_density_;
+};
+
+}  // namespace sabo

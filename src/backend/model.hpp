@@ -1,0 +1,55 @@
+#pragma once
+
+#include "backend/periodic.hpp"
+#include "math/vec3.hpp"
+#include "physics/equation_of_state.hpp"
+#include "physics/kernel.hpp"
+#include "physics/rheology_list.hpp"
+#include "physics/switches.hpp"
+#include "physics/yield.hpp"
+
+namespace sabo {
+
+/// Everything the sweeps need to know besides the particles; constant during a run.
+struct FlowModel {
+  int dimension = 3;   ///< 3, or 2 in the x-z plane (one particle wide, y = 0)
+  double spacing = 1;  ///< dp, m
+  double h = 1.5;      ///< smoothing length, m
+  Tait state{1000, 10};
+  Vec3d gravity{0, 0, -9.81};  ///< or any uniform body force per mass, m/s2
+  Rheology rheology = Newtonian{};
+  MohrCoulomb yield;
+  double density_diffusion = 0.1;   ///< zeta
+  DiffusionForm diffusion_form = DiffusionForm::molteni;
+  double artificial_viscosity = 0;  ///< Monaghan's alpha
+  ViscousOperator viscous_operator = ViscousOperator::nested;
+  BoundaryStress boundary_stress = BoundaryStress::own;
+  bool as_printed = false;
+  Periodic periodic;
+  int threads = 0;  ///< 0: all
+
+  template <class T>
+  WendlandC2<T> kernel() const {
+    return WendlandC2<T>::make(h, dimension);
+  }
+  double kernel_radius() const { return 2 * h; }
+  /// Regularises r^2 in denominators, m2 (0.01 h^2 as in the paper).
+  double eta2() const { return 0.01 * h * h; }
+  /// Density gradient of the fluid at rest that diffusion leaves alone, over rho0, 1/m.
+  Vec3d diffusion_background() const {
+    const double per_c2 = 1 / (state.c0 * state.c0);
+    return diffusion_form == DiffusionForm::fourtakas ? per_c2 * gravity : Vec3d{};
+  }
+  /// Factor on eps in Eqs. 16-17: the paper prints 1/2, which halves every viscosity.
+  double strain_convention() const { return as_printed ? 0.5 : 1; }
+  /// Factor on the velocity difference of pairs across the wall in viscous terms. With `mirror` the
+  /// wall moves against the fluid, which doubles it; the two-point form with `none` ignores walls.
+  double wall_velocity_factor() const {
+    if (boundary_stress == BoundaryStress::mirror) return 2;
+    const bool slips = viscous_operator == ViscousOperator::morris &&
+                       boundary_stress == BoundaryStress::none;
+    return slips ? 0 : 1;
+  }
+};
+
+}  // namespace sabo

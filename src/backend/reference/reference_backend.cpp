@@ -1,0 +1,102 @@
+#include "backend/reference/reference_backend.hpp"
+
+#include "physics/pair/density.hpp"
+#include "physics/pair/forces.hpp"
+#include "physics/pair/strain_rate.hpp"
+
+namespace sabo {
+namespace {
+
+FlowModel serial(FlowModel model) {
+  model.threads = 1;
+  return model;
+}
+
+}  // namespace
+
+ReferenceBackend::ReferenceBackend(FlowModel model) : HostBackend(serial(std::move(model))) {}
+
+const Vec3d& ReferenceBackend::position(std::size_t k) const {
+  return k < fluid_.size() ? fluid_.position[k] : boundary_.position[k - fluid_.size()];
+}
+const Vec3d& ReferenceBackend::velocity(std::size_t k) const {
+  return k < fluid_.size() ? fluid_.velocity[k] : boundary_.velocity[k - fluid_.size()];
+}
+double ReferenceBackend::density(std::size_t k) const {
+  return k < fluid_.size() ? fluid_.density[k] : boundary_.density[k - fluid_.size()];
+}
+double ReferenceBackend::mass(std::size_t k) const {
+  return k < fluid_.size() ? fluid_.mass[k] : boundary_.mass[k - fluid_.size()];
+}
+
+template <class F>
+void ReferenceBackend::for_each_neighbour(std::size_t i, bool fluid_only, const F& f) const {
+  const auto kernel = model_.kernel<double>();
+  const double radius = model_.kernel_radius();
+  const std::size_t count = fluid_only ? fluid_.size() : fluid_.size() + boundary_.size();
+  for (std::size_t j = 0; j < count; ++j) {
+    if (j == i) continue;
+    const Vec3d x = model_.periodic.nearest(position(i) - position(j));
+    if (dot(x, x) < radius * radius) f(j, pair_geometry(x, kernel));
+  }
+}
+
+void ReferenceBackend::list_pairs() {
+  has_neighbours_.assign(fluid_.size(), 0);
+  for (std::size_t i = 0; i < fluid_.size(); ++i)
+    for_each_neighbour(i, false, [&](std::size_t, const auto&) { has_neighbours_[i] = 1; });
+}
+
+void ReferenceBackend::fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const {
+  for_each_neighbour(fluid_.size() + b, true, [&](std::size_t j, const auto&) {
+    near.push_back(static_cast<std::uint32_t>(j));
+  });
+}
+
+void ReferenceBackend::strain_and_density_rates() {
+  const std::size_t fluids = fluid_.size();
+  const DensityDiffusion<double> diffusion{
+      2 * model_.density_diffusion * model_.h * model_.state.c0, model_.eta2(),
+      model_.diffusion_background()};
+  const double rho0 = model_.state.rho0;
+  for (std::size_t i = 0; i < fluids + boundary_.size(); ++i) {
+    const bool is_fluid = i < fluids;
+    Sym3<double> eps{};
+    double rate = 0;
+    for_each_neighbour(i, !is_fluid, [&](std::size_t j, const PairGeometry<double>& pair) {
+      const Vec3d v = velocity(i) - velocity(j);
+      const bool across_wall = is_fluid != (j < fluids);
+      const double wall = across_wall ? model_.wall_velocity_factor() : 1;
+      eps += strain_rate(pair, wall * v, mass(j) / density(j));
+      rate += continuity(pair, v, mass(j));
+      if (is_fluid && !across_wall)
+        rate += diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
+    });
+    strain_[i] = eps;
+    density_rate_[i] = rate;
+  }
+}
+
+void ReferenceBackend::momentum() {
+  const std::size_t fluids = fluid_.size();
+  const bool morris = model_.viscous_operator == ViscousOperator::morris;
+  const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
+  for (std::size_t i = 0; i < fluids; ++i) {
+    Vec3d a = model_.gravity;
+    for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
+      const Vec3d v = velocity(i) - velocity(j);
+      a += stress_force(pair, stress_[i], stress_[j], mass(j));
+      if (morris) {
+        const double mu = j < fluids ? pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j])
+                                     : model_.wall_velocity_factor() * fluid_.viscosity[i];
+        a += morris_force(pair, v, model_.strain_convention() * mu,
+                          mass(j) / (density(i) * density(j)), model_.eta2());
+      }
+      const double mean_density = 0.5 * (density(i) + density(j));
+      a += artificial_force(pair, v, alpha_c0_h, mass(j) / mean_density, model_.eta2());
+    });
+    acceleration_[i] = a;
+  }
+}
+
+}  // namespace sabo

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "backend/host_backend.hpp"
+
+namespace sabo {
+
+/// The oracle: serial, double precision, every particle against every other, no cleverness. All
+/// other backends are tested against it.
+class ReferenceBackend : public HostBackend {
+ public:
+  explicit ReferenceBackend(FlowModel model);
+
+  bool neighbours_are_stale() const override { return false; }
+  double list_radius() const override { return model_.kernel_radius(); }
+  void strain_and_density_rates() override;
+  void momentum() override;
+
+ protected:
+  void list_pairs() override;
+  void fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const override;
+
+ private:
+  /// Calls f(j of all particles, geometry) for each particle within the kernel of particle i.
+  template <class F>
+  void for_each_neighbour(std::size_t i, bool fluid_only, const F& f) const;
+
+  const Vec3d& position(std::size_t k) const;
+  const Vec3d& velocity(std::size_t k) const;
+  double density(std::size_t k) const;
+  double mass(std::size_t k) const;
+};
+
+}  // namespace sabo

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/faults.hpp"
+#include "case/case.hpp"
+
+namespace sabo {
+
+/// A key set on the command line: it stands in for the file's and is checked like it.
+struct Override {
+  std::string table;  ///< e.g. "numerics"
+  std::string key;    ///< e.g. "spacing"
+  std::variant<std::int64_t, double, std::string> value;
+};
+
+/// Reads `case_file_or_folder`; of a folder, its case.toml. Keys that are not given keep their
+/// defaults, file paths become absolute, and nameless structures and sections get names. Adds every
+/// fault it finds, each with its line; the case is of use only when there is none.
+Case read_case(const std::filesystem::path& case_file_or_folder, Faults& faults,
+               const std::vector<Override>& overrides = {});
+
+/// The same from a text; relative paths start at `folder`, faults say "case.toml".
+Case read_case_text(std::string_view text, const std::filesystem::path& folder, Faults& faults,
+                    const std::vector<Override>& overrides = {});
+
+}  // namespace sabo

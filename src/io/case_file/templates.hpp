@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+namespace sabo {
+
+/// A case that `sabo new` can write.
+struct Template {
+  std::string_view name;
+  std::string_view summary;
+};
+
+inline constexpr std::array<Template, 2> templates{{
+    {"yohutagawa", "the debris flow of 2010 at Yohutagawa, Amami Oshima, on generated terrain"},
+    {"valley-from-dem", "your own valley: a DEM, a release area and a check dam to edit"},
+}};
+
+/// What the generated files of `yohutagawa` decide.
+struct YohutagawaNumbers {
+  using Section = std::array<std::array<double, 2>, 2>;  ///< two points (x, y), m
+  double volume = 8863;                                  ///< m3
+  double dam_height = 8;                                 ///< above the bed, m
+  double dam_thickness = 3.2;                            ///< m
+  double notch_centre = 0;                               ///< along the dam's line, m
+  double notch_width = 10;                               ///< m
+  double notch_depth = 1.5;                              ///< m
+  Section above_dam{};                                   ///< p1
+  Section below_dam{};                                   ///< p2
+};
+
+/// Case file beside dem.tif, release.tif, dam.gpkg and path.gpkg.
+std::string yohutagawa_text(const YohutagawaNumbers& numbers);
+
+/// Case file to edit, for dem.tif and release.gpkg of the user.
+std::string valley_from_dem_text();
+
+}  // namespace sabo

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "base/faults.hpp"
+
+namespace sabo {
+
+struct TomlNode;
+struct TomlEntry;
+struct TomlDate {};
+using TomlArray = std::vector<TomlNode>;
+using TomlTable = std::vector<TomlEntry>;  ///< in the order of the file
+
+/// A value of a TOML file with the line on which it stands, counted from 1.
+struct TomlNode {
+  std::variant<bool, std::int64_t, double, std::string, TomlDate, TomlArray, TomlTable> value;
+  int line = 0;
+};
+
+struct TomlEntry {
+  std::string key;
+  TomlNode node;
+};
+
+/// The node of a key, or nullptr.
+const TomlNode* find(const TomlTable& table, std::string_view key);
+
+/// Parses a TOML text. Adds a fault (with the place "file_name:line") and returns nothing when the
+/// text is longer than 1 MB, is not valid UTF-8, has control characters or is not TOML.
+std::optional<TomlTable> parse_toml(std::string_view text, const std::string& file_name,
+                                    Faults& faults);
+
+}  // namespace sabo

@@ -1,0 +1,110 @@
+#include "io/case_file/write_case.hpp"
+
+#include <fmt/format.h>
+
+#include "io/case_file/listing.hpp"
+
+namespace sabo {
+namespace {
+
+/// Comment lines of at most 100 columns, broken at spaces.
+std::string comment(const std::string& text) {
+  constexpr std::size_t width = 98;
+  std::string result;
+  for (std::size_t begin = 0; begin < text.size();) {
+    std::size_t end = text.size();
+    if (end - begin > width) {
+      end = text.rfind(' ', begin + width);
+      if (end == std::string::npos || end <= begin) end = std::min(begin + width, text.size());
+    }
+    result += fmt::format("# {}\n", text.substr(begin, end - begin));
+    begin = end < text.size() && text[end] == ' ' ? end + 1 : end;
+  }
+  return result;
+}
+
+std::string wanted_and_required(const ListedKey& key) {
+  return key.is_required ? key.wanted + "; required" : key.wanted;
+}
+
+std::string header(const ListedTable& table) {
+  return fmt::format(fmt::runtime(table.is_list ? "[[{}]]" : "[{}]"), table.name);
+}
+
+std::string table_text(const ListedTable& table) {
+  const char* off = table.is_given ? "" : "#";
+  std::string text;
+  if (!table.name.empty()) {
+    text += fmt::format("\n{}", comment(table.help));
+    text += fmt::format("{}{}\n", off, header(table));
+  }
+  for (const ListedKey& key : table.keys) {
+    text += comment(fmt::format("{} ({})", key.help, wanted_and_required(key)));
+    text += key.value.empty() ? fmt::format("#{} =\n", key.name)
+                              : fmt::format("{}{} = {}\n", off, key.name, key.value);
+  }
+  return text;
+}
+
+std::string sentence(std::string text) {
+  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] -= 'a' - 'A';
+  return text + ".";
+}
+
+/// A cell of a Markdown table.
+std::string cell(const std::string& text) {
+  std::string result;
+  for (const char c : text) {
+    if (c == '|') result += '\\';
+    result += c;
+  }
+  return result;
+}
+
+std::string rows(const std::vector<ListedKey>& keys) {
+  std::string text = "| key | default | value | meaning |\n|---|---|---|---|\n";
+  for (const ListedKey& key : keys) {
+    const std::string value = key.is_required     ? "required"
+                              : key.value.empty() ? "none"
+                                                  : fmt::format("`{}`", key.value);
+    text += fmt::format("| `{}` | {} | {} | {} |\n", key.name, cell(value), cell(key.wanted),
+                        cell(key.help));
+  }
+  return text;
+}
+
+/// Removes the keys of the default rheology, which stand under its own heading.
+void drop_law(std::vector<ListedKey>& keys) {
+  while (!keys.empty() && keys.back().name != "rheology") keys.pop_back();
+}
+
+}  // namespace
+
+std::string write_case(const Case& c) {
+  std::string text;
+  for (const ListedTable& table : list_tables(c)) text += table_text(table);
+  return text;
+}
+
+std::string defaults_text() { return write_case(Case{}); }
+
+std::string keys_markdown() {
+  std::string text;
+  for (ListedTable& table : list_tables(Case{})) {
+    const bool is_material = table.name == "material";
+    if (is_material) drop_law(table.keys);
+    text += table.name.empty()
+                ? "## Head of the file\n\n"
+                : fmt::format("## `{}`\n\n{}\n\n", header(table), sentence(table.help));
+    text += rows(table.keys) + "\n";
+    if (!is_material) continue;
+    for (const Rheology& law : all_rheologies()) {
+      const auto summary = std::visit([](const auto& l) { return l.summary; }, law);
+      text += fmt::format("### `rheology = \"{}\"`\n\n{}\n\n", name_of(law), sentence(summary));
+      text += rows(list_keys(law)) + "\n";
+    }
+  }
+  return text;
+}
+
+}  // namespace sabo

@@ -1,0 +1,56 @@
+#include "io/gis/crs.hpp"
+
+#include <string_view>
+
+#include <cpl_conv.h>
+#include <fmt/format.h>
+
+namespace sabo {
+
+OGRSpatialReference crs_of(const std::string& wkt) {
+  OGRSpatialReference crs;
+  if (!wkt.empty()) crs.importFromWkt(wkt.c_str());
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return crs;
+}
+
+bool is_unknown(const OGRSpatialReference& crs) {
+  const char* name = crs.GetName();
+  return crs.IsEmpty() || crs.IsLocal() || !name || std::string_view(name).starts_with("Undefined");
+}
+
+OGRSpatialReference horizontal(const OGRSpatialReference& crs) {
+  OGRSpatialReference copy(crs);
+  copy.StripVertical();
+  copy.DemoteTo2D(nullptr);
+  copy.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return copy;
+}
+
+std::string wkt_of(const OGRSpatialReference& crs) {
+  if (crs.IsEmpty()) return "";
+  const char* const options[] = {"FORMAT=WKT2_2019", "MULTILINE=NO", nullptr};
+  char* text = nullptr;
+  crs.exportToWkt(&text, options);
+  const std::string wkt = text ? text : "";
+  CPLFree(text);
+  return wkt;
+}
+
+std::string name_of(const OGRSpatialReference& crs) {
+  const char* name = crs.GetName();
+  const char* authority = crs.GetAuthorityName(nullptr);
+  const char* code = crs.GetAuthorityCode(nullptr);
+  const std::string title = name ? name : "unnamed";
+  return authority && code ? fmt::format("{}:{} ({})", authority, code, title) : title;
+}
+
+bool same_place(const OGRSpatialReference& a, const OGRSpatialReference& b) {
+  const char* const options[] = {"CRITERION=EQUIVALENT", "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
+                                 nullptr};
+  const OGRSpatialReference first = horizontal(a);
+  const OGRSpatialReference second = horizontal(b);
+  return first.IsSame(&second, options);
+}
+
+}  // namespace sabo

@@ -1,0 +1,40 @@
+#include "io/output/colour_scale.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sabo {
+namespace {
+
+// Viridis (S. van der Walt and N. Smith, 2015, CC0) at nine even steps, light to dark.
+constexpr std::array<Colour, 9> viridis{{{253, 231, 37},
+                                         {173, 220, 48},
+                                         {94, 201, 98},
+                                         {40, 174, 128},
+                                         {33, 145, 140},
+                                         {44, 114, 142},
+                                         {59, 82, 139},
+                                         {71, 44, 122},
+                                         {68, 1, 84}}};
+
+}  // namespace
+
+Colour flow_colour(double fraction) {
+  const double place = (fraction > 0 ? std::min(fraction, 1.0) : 0.0) * (viridis.size() - 1);
+  const auto below = std::min(static_cast<std::size_t>(place), viridis.size() - 2);
+  const double t = place - static_cast<double>(below);
+  Colour colour{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    colour[c] = static_cast<std::uint8_t>(
+        std::lround((1 - t) * viridis[below][c] + t * viridis[below + 1][c]));
+  }
+  return colour;
+}
+
+std::string hex(const Colour& colour) {
+  return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
+}
+
+}  // namespace sabo

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace sabo {
+
+/// A table that grows while a run goes on: a header row such as `time [s],front [m]`, then rows of
+/// numbers with nine digits. Each row is on disk when append() returns. Errors are RunErrors.
+class CsvWriter {
+ public:
+  /// Replaces an existing file.
+  CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& header);
+
+  /// One value per column, finite.
+  void append(std::span<const double> row);
+  void append(std::initializer_list<double> row) { append({row.begin(), row.size()}); }
+
+ private:
+  void write_line(const std::string& line);
+
+  struct Close {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+  };
+
+  std::string name_;
+  std::vector<std::string> header_;
+  std::unique_ptr<std::FILE, Close> file_;
+};
+
+}  // namespace sabo

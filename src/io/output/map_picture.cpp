@@ -1,0 +1,256 @@
+#include "io/output/map_picture.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "io/output/svg.hpp"
+#include "io/output/ticks.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr double longest_side = 1100;  // px, of a wide map
+constexpr double tallest_side = 900;   // px
+constexpr double narrowest = 640;      // px, so that the legend has room
+constexpr double margin = 20;          // px
+constexpr double max_pixels = 1.5e6;   // of the embedded picture
+
+// Where things stand on the picture.
+struct Layout {
+  MapView view;
+  double scale = 1;  // px per metre
+  double left = margin;
+  double top = 0;
+  double width = 0;
+  double height = 0;
+  double page_width = 0;
+  double page_height = 0;
+
+  double x(double east) const { return left + (east - view.west) * scale; }
+  double y(double north) const { return top + (view.north - north) * scale; }
+};
+
+// A view so narrow that its labels would not fit is widened about its middle.
+MapView not_too_narrow(MapView view) {
+  const double shortest = std::max(view.east - view.west, view.north - view.south) / 40;
+  const auto widen = [shortest](double& low, double& high) {
+    const double missing = std::max(0.0, shortest - (high - low));
+    low -= missing / 2;
+    high += missing / 2;
+  };
+  widen(view.west, view.east);
+  widen(view.south, view.north);
+  return view;
+}
+
+Layout layout_of(const MapPicture& map) {
+  Layout layout;
+  layout.view = not_too_narrow(map.view);
+  const double east_west = layout.view.east - layout.view.west;
+  const double north_south = layout.view.north - layout.view.south;
+  layout.scale = std::min(longest_side / east_west, tallest_side / north_south);
+  layout.width = std::round(east_west * layout.scale);
+  layout.height = std::round(north_south * layout.scale);
+  layout.page_width = std::max(layout.width, narrowest) + 2 * margin;
+  layout.left = std::round((layout.page_width - layout.width) / 2);
+  layout.top = map.note.empty() ? 48 : 68;
+  layout.page_height = layout.top + layout.height + 76;
+  return layout;
+}
+
+double greatest(const Raster& values, const MapView& view) {
+  double result = 0;
+  const Grid& grid = values.grid;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const double x = grid.x_of(column), y = grid.y_of(row);
+      const bool is_shown = x >= view.west && x <= view.east && y >= view.south && y <= view.north;
+      if (is_shown) result = std::max(result, values.at(column, row));  // false for NaN
+    }
+  }
+  return result;
+}
+
+// About ten contour lines over the relief shown.
+double contour_step(const Raster& elevation, const MapView& view) {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -low;
+  for (int i = 0; i <= 40; ++i) {
+    for (int j = 0; j <= 40; ++j) {
+      const double z = bilinear(elevation, view.west + i * (view.east - view.west) / 40,
+                                view.south + j * (view.north - view.south) / 40, Raster::no_data);
+      if (std::isnan(z)) continue;
+      low = std::min(low, z);
+      high = std::max(high, z);
+    }
+  }
+  return high > low ? round_down((high - low) / 8) : 1;
+}
+
+std::string draw_raster(const Relief& relief, const Layout& layout) {
+  // Two pixels for one of the page where that is not too much: sharp on any screen.
+  const double ratio = std::clamp(std::sqrt(max_pixels / (layout.width * layout.height)), 1.0, 2.0);
+  const Image image = draw_relief(relief, layout.view, static_cast<int>(layout.width * ratio),
+                                  static_cast<int>(layout.height * ratio));
+  return fmt::format(
+      "<image x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" preserveAspectRatio=\"none\" "
+      "href=\"{4}\"/>\n<rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" fill=\"none\" "
+      "stroke=\"#9aa5b1\"/>\n",
+      layout.left, layout.top, layout.width, layout.height, data_url_of_png(png_of(image)));
+}
+
+struct LineStyle {
+  const char* colour;
+  double width;
+  const char* dashes;
+};
+
+LineStyle style_of(MapLine::Kind kind) {
+  switch (kind) {
+    case MapLine::Kind::dam:
+      return {"#c1121f", 4, ""};
+    case MapLine::Kind::section:
+      return {"#1f2933", 2, ""};
+    case MapLine::Kind::path:
+      return {"#1f2933", 1.3, " stroke-dasharray=\"7 5\""};
+    case MapLine::Kind::outline:
+      break;
+  }
+  return {"#1f2933", 1.6, " stroke-dasharray=\"2 3\""};
+}
+
+// Beside the northern end for sections and the southern end for the rest, so that a dam and the
+// sections on either side of it keep apart.
+std::string draw_label(const MapLine& line, const Layout& layout) {
+  if (line.label.empty()) return "";
+  const bool is_above = line.kind == MapLine::Kind::section;
+  const auto by_y = [](const Vec3d& a, const Vec3d& b) { return a.y < b.y; };
+  const auto [south, north] = std::ranges::minmax_element(line.line.vertices, by_y);
+  const Vec3d& end = is_above ? *north : *south;
+  const double x = std::clamp(layout.x(end.x), layout.left + 4, layout.left + layout.width - 4);
+  const double y = std::clamp(layout.y(end.y) + (is_above ? -7 : 18), layout.top + 14,
+                              layout.top + layout.height - 6);
+  return svg_text(x, y, line.label,
+                  {.size = 13,
+                   .colour = style_of(line.kind).colour,
+                   .anchor = Anchor::middle,
+                   .bold = true,
+                   .halo = true});
+}
+
+std::string draw_lines(const MapPicture& map, const Layout& layout) {
+  std::string shapes;
+  std::string labels;
+  for (const MapLine& line : map.lines) {
+    if (line.line.vertices.empty()) continue;
+    std::string points;
+    for (const Vec3d& v : line.line.vertices) {
+      points += fmt::format("{:.1f},{:.1f} ", layout.x(v.x), layout.y(v.y));
+    }
+    const LineStyle style = style_of(line.kind);
+    const auto polyline = [&](const char* colour, double width, const char* dashes) {
+      return fmt::format(
+          "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{} "
+          "stroke-linejoin=\"round\"/>\n",
+          points, colour, width, dashes);
+    };
+    shapes += polyline("#ffffff", style.width + 2, "");
+    shapes += polyline(style.colour, style.width, style.dashes);
+    labels += draw_label(line, layout);
+  }
+  return fmt::format(
+      "<clipPath id=\"map\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
+      "<g clip-path=\"url(#map)\">\n{}{}</g>\n",
+      layout.left, layout.top, layout.width, layout.height, shapes, labels);
+}
+
+// Colour bar with its values, below the map on the left.
+std::string draw_legend(const MapPicture& map, double top, const Layout& layout) {
+  constexpr double width = 300, height = 12;
+  const double x = margin;
+  const double y = layout.top + layout.height + 34;
+  std::string stops;
+  for (int i = 0; i <= 8; ++i) {
+    stops +=
+        fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>", i / 8.0, hex(flow_colour(i / 8.0)));
+  }
+  std::string svg = fmt::format(
+      "<linearGradient id=\"scale\">{}</linearGradient>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" "
+      "height=\"{}\" fill=\"url(#scale)\"/>\n",
+      stops, x, y, width, height);
+  svg += svg_text(x, y - 8, map.quantity, {.size = 13, .colour = svg_ink});
+  const Ticks ticks = ticks_over(0, top, 5);
+  for (double value : ticks.values) {
+    if (value > top * (1 + 1e-9)) continue;
+    const double place = x + width * value / top;
+    svg += svg_line(place, y + height, place, y + height + 4, svg_muted, 1);
+    svg += svg_text(place, y + height + 17, ticks.label(value), {.anchor = Anchor::middle});
+  }
+  return svg;
+}
+
+// Scale bar and north arrow, below the map on the right.
+std::string draw_scale(const Layout& layout, double contour) {
+  const double length = round_down(180 / layout.scale);
+  const double right = layout.page_width - margin - 44;
+  const double left = right - length * layout.scale;
+  const double y = layout.top + layout.height + 40;
+  std::string svg = fmt::format(
+      "<path d=\"M{0:.1f} {2:.1f}v6H{1:.1f}v-6\" fill=\"none\" stroke=\"{3}\" "
+      "stroke-width=\"1.6\"/>\n",
+      left, right, y - 6, svg_ink);
+  svg += svg_text((left + right) / 2, y - 8, fmt::format("{:g} m", length),
+                  {.colour = svg_ink, .anchor = Anchor::middle});
+  svg += svg_text(right, y + 20, fmt::format("contours every {:g} m", contour),
+                  {.anchor = Anchor::end});
+  const double x = layout.page_width - margin - 10;
+  svg += fmt::format("<path d=\"M{:.1f} {:.1f}l7 20l-7 -5l-7 5z\" fill=\"{}\"/>\n", x, y - 20,
+                     svg_ink);
+  return svg + svg_text(x, y + 16, "N",
+                        {.size = 13, .colour = svg_ink, .anchor = Anchor::middle, .bold = true});
+}
+
+}  // namespace
+
+MapView view_around(const Raster& values, double threshold) {
+  const Grid& grid = values.grid;
+  int first_column = grid.columns, last_column = -1;
+  int first_row = grid.rows, last_row = -1;
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      if (!(values.at(column, row) > threshold)) continue;
+      first_column = std::min(first_column, column);
+      last_column = std::max(last_column, column);
+      first_row = std::min(first_row, row);
+      last_row = std::max(last_row, row);
+    }
+  }
+  if (last_column < 0) return {grid.west, grid.south(), grid.east(), grid.north};
+  const double longer =
+      std::max((last_column - first_column + 1) * grid.dx, (last_row - first_row + 1) * grid.dy);
+  const double around = std::max(0.08 * longer, 10 * std::max(grid.dx, grid.dy));
+  return {std::max(grid.west, grid.west + first_column * grid.dx - around),
+          std::max(grid.south(), grid.north - (last_row + 1) * grid.dy - around),
+          std::min(grid.east(), grid.west + (last_column + 1) * grid.dx + around),
+          std::min(grid.north, grid.north - first_row * grid.dy + around)};
+}
+
+std::string map_svg(const MapPicture& map, const Raster& elevation, const Raster& values) {
+  const Layout layout = layout_of(map);
+  const double most = greatest(values, map.view);
+  const double top = map.top.value_or(most);
+  const double contour = contour_step(elevation, map.view);
+  std::string svg = svg_begin(layout.page_width, layout.page_height, map.title);
+  svg += svg_text(margin, 30, map.title, {.size = 18, .colour = svg_ink, .bold = true});
+  if (!map.note.empty()) svg += svg_text(margin, 52, map.note, {.size = 13});
+  svg += draw_raster({elevation, values, map.threshold, top, contour}, layout);
+  svg += draw_lines(map, layout);
+  if (top > 0) svg += draw_legend(map, top, layout);
+  svg += draw_scale(layout, contour);
+  return svg + "</svg>\n";
+}
+
+}  // namespace sabo

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "io/output/relief.hpp"
+#include "terrain/polyline.hpp"
+#include "terrain/raster.hpp"
+
+namespace sabo {
+
+/// A line drawn over a map.
+struct MapLine {
+  enum class Kind { dam, section, path, outline };
+  Kind kind = Kind::outline;
+  std::string label = {};  ///< "" for none
+  Polyline line = {};
+};
+
+/// A map of one quantity over the relief. All coordinates are in one frame.
+struct MapPicture {
+  std::string title = {};
+  std::string note = {};           ///< small, under the title; "" for none
+  std::string quantity = {};       ///< with its unit, e.g. "deposit depth [m]"
+  double threshold = 0;            ///< smaller values are left out
+  std::optional<double> top = {};  ///< value of the darkest colour, else from the data
+  MapView view = {};
+  std::vector<MapLine> lines = {};
+};
+
+/// The cells with a value above the threshold plus a margin of 8 % of the longer side (at least 10
+/// cells), inside the grid; the whole grid when there are none.
+MapView view_around(const Raster& values, double threshold);
+
+/// The picture as an SVG file: the raster as an embedded PNG, everything else as lines and text.
+/// Throws RunError.
+std::string map_svg(const MapPicture& map, const Raster& elevation, const Raster& values);
+
+}  // namespace sabo

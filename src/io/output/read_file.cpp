@@ -1,0 +1,18 @@
+#include "io/output/read_file.hpp"
+
+#include <fstream>
+
+namespace sabo {
+
+std::optional<std::string> read_file(const std::filesystem::path& file, std::size_t max_bytes) {
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) return {};
+  std::ifstream stream(file, std::ios::binary);
+  std::string content(max_bytes + 1, '\0');
+  stream.read(content.data(), static_cast<std::streamsize>(content.size()));
+  content.resize(static_cast<std::size_t>(stream.gcount()));
+  if (stream.bad() || content.empty() || content.size() > max_bytes) return {};
+  return content;
+}
+
+}  // namespace sabo

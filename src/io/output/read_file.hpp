@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace sabo {
+
+/// The content of a file; nothing if it cannot be read or has more than `max_bytes`.
+std::optional<std::string> read_file(const std::filesystem::path& file, std::size_t max_bytes);
+
+}  // namespace sabo

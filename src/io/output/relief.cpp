@@ -1,0 +1,127 @@
+#include "io/output/relief.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "math/vec3.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr Colour no_ground{247, 248, 249};
+constexpr Colour line_colour{60, 72, 84};
+
+// Direction to the light: north-west, 45 degrees up, as on printed maps.
+const Vec3d light = normalised(Vec3d{-1, 1, std::numbers::sqrt2});
+
+// Brightness of each cell from the slope across its neighbours, from 0 (turned away from the light,
+// so that slopes in the shade keep their relief) to 1; NaN without data.
+Raster hillshade(const Raster& elevation) {
+  const Grid& grid = elevation.grid;
+  Raster shade(grid, Raster::no_data);
+  const auto at = [&](int column, int row, double otherwise) {
+    column = std::clamp(column, 0, grid.columns - 1);
+    row = std::clamp(row, 0, grid.rows - 1);
+    const double z = elevation.at(column, row);
+    return std::isnan(z) ? otherwise : z;
+  };
+  for (int row = 0; row < grid.rows; ++row) {
+    for (int column = 0; column < grid.columns; ++column) {
+      const double z = elevation.at(column, row);
+      if (std::isnan(z)) continue;
+      const double east = (at(column + 1, row, z) - at(column - 1, row, z)) / (2 * grid.dx);
+      const double north = (at(column, row - 1, z) - at(column, row + 1, z)) / (2 * grid.dy);
+      shade.at(column, row) = 0.5 + 0.5 * dot(normalised(Vec3d{-east, -north, 1}), light);
+    }
+  }
+  return shade;
+}
+
+Colour mixed(const Colour& a, const Colour& b, double share_of_b) {
+  Colour out{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    out[c] = static_cast<std::uint8_t>(std::lround((1 - share_of_b) * a[c] + share_of_b * b[c]));
+  }
+  return out;
+}
+
+// Grey of the ground: flat ground is light, so that colours and lines stand out.
+Colour ground_colour(double shade) {
+  const auto grey = static_cast<std::uint8_t>(std::lround(60 + 195 * shade));
+  return {grey, grey, grey};
+}
+
+struct Pixel {
+  Colour colour = no_ground;
+  double band = Raster::no_data;  // number of the contour line below
+  bool is_flow = false;
+};
+
+Pixel pixel_at(const Relief& relief, const Raster& shade, double x, double y) {
+  Pixel pixel;
+  const double light_here = bilinear(shade, x, y, Raster::no_data);
+  if (!std::isnan(light_here)) {
+    pixel.colour = ground_colour(light_here);
+    pixel.band = std::floor(bilinear(relief.elevation, x, y, Raster::no_data) / relief.contour);
+  }
+  const double value = bilinear(relief.values, x, y, 0);
+  if (value > relief.threshold) {
+    // A fifth of the relief shines through.
+    pixel.colour = mixed(flow_colour(value / relief.top), pixel.colour, 0.2);
+    pixel.is_flow = true;
+  }
+  return pixel;
+}
+
+// A pixel beside one of the flow's edge or of another contour band is darker.
+Colour with_lines(const Pixel& pixel, const Pixel& left, const Pixel& above) {
+  if (pixel.is_flow != left.is_flow || pixel.is_flow != above.is_flow) {
+    return mixed(pixel.colour, line_colour, 0.6);
+  }
+  const auto crosses = [&pixel](const Pixel& other) {
+    return !std::isnan(other.band) && !std::isnan(pixel.band) && other.band != pixel.band;
+  };
+  const bool is_contour = crosses(left) || crosses(above);
+  return is_contour ? mixed(pixel.colour, line_colour, 0.28) : pixel.colour;
+}
+
+}  // namespace
+
+double bilinear(const Raster& raster, double x, double y, double missing) {
+  const Grid& grid = raster.grid;
+  if (!grid.has_cell(grid.column_of(x), grid.row_of(y))) return Raster::no_data;
+  const double u = std::clamp((x - grid.west) / grid.dx - 0.5, 0.0, grid.columns - 1.0);
+  const double v = std::clamp((grid.north - y) / grid.dy - 0.5, 0.0, grid.rows - 1.0);
+  const int column = std::min(static_cast<int>(u), std::max(grid.columns - 2, 0));
+  const int row = std::min(static_cast<int>(v), std::max(grid.rows - 2, 0));
+  const auto at = [&](int c, int r) {
+    const double value = raster.at(std::min(c, grid.columns - 1), std::min(r, grid.rows - 1));
+    return std::isnan(value) ? missing : value;
+  };
+  const double s = u - column;
+  const double t = v - row;
+  return (1 - t) * ((1 - s) * at(column, row) + s * at(column + 1, row)) +
+         t * ((1 - s) * at(column, row + 1) + s * at(column + 1, row + 1));
+}
+
+Image draw_relief(const Relief& relief, const MapView& view, int width, int height) {
+  const Raster shade = hillshade(relief.elevation);
+  const double dx = (view.east - view.west) / width;
+  const double dy = (view.north - view.south) / height;
+  Image image{width, height, std::vector<Colour>(static_cast<std::size_t>(width) * height)};
+  std::vector<Pixel> above(width);
+  for (int row = 0; row < height; ++row) {
+    Pixel left;
+    for (int column = 0; column < width; ++column) {
+      const Pixel pixel =
+          pixel_at(relief, shade, view.west + (column + 0.5) * dx, view.north - (row + 0.5) * dy);
+      image.pixels[static_cast<std::size_t>(row) * width + column] =
+          with_lines(pixel, left, above[column]);
+      left = above[column] = pixel;
+    }
+  }
+  return image;
+}
+
+}  // namespace sabo

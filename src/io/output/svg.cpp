@@ -1,0 +1,46 @@
+#include "io/output/svg.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include <fmt/format.h>
+
+#include "io/output/markup.hpp"
+
+namespace sabo {
+
+std::string svg_begin(double width, double height, std::string_view title) {
+  return fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" "
+      "viewBox=\"0 0 {0:.0f} {1:.0f}\" font-family=\"{2}\" role=\"img\">\n"
+      "<title>{3}</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#ffffff\"/>\n",
+      width, height, svg_font, escaped(title));
+}
+
+std::string svg_text(double x, double y, std::string_view text, const TextStyle& style) {
+  constexpr std::array anchors{"start", "middle", "end"};
+  return fmt::format(
+      "<text x=\"{:.1f}\" y=\"{:.1f}\" font-size=\"{}\" fill=\"{}\" text-anchor=\"{}\"{}{}>{}"
+      "</text>\n",
+      x, y, style.size, style.colour, anchors[static_cast<std::size_t>(style.anchor)],
+      style.bold ? " font-weight=\"600\"" : "",
+      style.halo ? " stroke=\"#ffffff\" stroke-width=\"3\" stroke-linejoin=\"round\" "
+                   "paint-order=\"stroke\""
+                 : "",
+      escaped(text));
+}
+
+std::string svg_line(double x1, double y1, double x2, double y2, const char* colour, double width) {
+  return fmt::format(
+      "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
+      "stroke-width=\"{}\"/>\n",
+      x1, y1, x2, y2, colour, width);
+}
+
+double text_width(std::string_view text, double size) {
+  const auto characters = std::ranges::count_if(
+      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
+  return 0.56 * size * static_cast<double>(characters);
+}
+
+}  // namespace sabo

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sabo {
+
+struct ChartSeries {
+  std::string name = {};
+  std::vector<double> x = {};
+  std::vector<double> y = {};  ///< a value that is not finite leaves a gap
+  bool has_markers = false;    ///< a dot at each point, for measured values
+  bool has_line = true;
+};
+
+/// A horizontal line at a value worth comparing with.
+struct ChartReference {
+  double y = 0;
+  std::string label;
+};
+
+/// A line chart. Titles of the axes carry their units, e.g. "time [s]".
+struct LineChart {
+  std::string title = {};
+  std::string x_title = {};
+  std::string y_title = {};
+  std::vector<ChartSeries> series = {};
+  std::vector<ChartReference> references = {};
+  std::optional<double> x_low = {}, x_high = {};  ///< else from the data
+  std::optional<double> y_low = {}, y_high = {};  ///< else from the data and 0
+  int width = 720;
+  int height = 400;
+};
+
+/// The chart as an SVG file. Colours: Okabe and Ito's, told apart with any colour vision.
+std::string chart_svg(const LineChart& chart);
+
+}  // namespace sabo

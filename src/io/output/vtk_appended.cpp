@@ -1,0 +1,50 @@
+#include "io/output/vtk_appended.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <vector>
+
+#include <fmt/format.h>
+#include <zlib.h>
+
+#include "base/error.hpp"
+#include "io/output/markup.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr std::size_t block_size = 1 << 18;  // bytes before compression
+constexpr int level = 1;                     // of zlib; particle data gain little from higher ones
+
+}  // namespace
+
+std::string VtkAppended::add(std::string_view type, std::string_view name, int components,
+                             std::span<const std::byte> data) {
+  const std::size_t offset = bytes_.size();
+  const std::size_t count = (data.size() + block_size - 1) / block_size;
+  std::vector<std::uint64_t> header{count, block_size, data.size() % block_size};
+  header.resize(3 + count);
+  bytes_.append(header.size() * sizeof(std::uint64_t), '\0');
+
+  std::vector<Bytef> packed(compressBound(block_size));
+  for (std::size_t i = 0; i < count; ++i) {
+    const auto block =
+        data.subspan(i * block_size, std::min(block_size, data.size() - i * block_size));
+    uLongf size = packed.size();
+    if (compress2(packed.data(), &size, reinterpret_cast<const Bytef*>(block.data()), block.size(),
+                  level) != Z_OK) {
+      throw RunError("not enough memory to compress a frame");
+    }
+    header[3 + i] = size;
+    bytes_.append(reinterpret_cast<const char*>(packed.data()), size);
+  }
+  bytes_.replace(offset, header.size() * sizeof(std::uint64_t),
+                 reinterpret_cast<const char*>(header.data()),
+                 header.size() * sizeof(std::uint64_t));
+  return fmt::format(
+      "<DataArray type=\"{}\" Name=\"{}\" NumberOfComponents=\"{}\" format=\"appended\" "
+      "offset=\"{}\"/>\n",
+      type, escaped(name), components, offset);
+}
+
+}  // namespace sabo

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "math/vec3.hpp"
+#include "terrain/raster.hpp"
+
+namespace sabo {
+
+/// One quantity of the points of a frame.
+struct VtpArray {
+  std::string name;    ///< with its unit, e.g. "velocity [m/s]"
+  int components = 1;  ///< the values of a point stand together
+  std::variant<std::span<const float>, std::span<const std::uint32_t>> values;
+};
+
+/// Particles at one time, in the solver frame.
+struct VtpFrame {
+  double time = 0;    ///< s
+  Vec3d origin = {};  ///< written as the field "origin [m]": CRS coordinates = point + origin
+  std::span<const Vec3f> points = {};
+  std::vector<VtpArray> arrays = {};
+};
+
+/// Writes VTK XML PolyData with one vertex cell per particle: appended raw data in zlib blocks.
+/// Throws RunError; also for an array of another length than the points and for a value that is
+/// not finite.
+void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& frame);
+
+/// Writes the ground (solver frame) as triangles between cell centres with data, cut as Surface
+/// cuts them, with the array "elevation [m]". Of more than `max_points` cells every k-th is taken.
+void write_surface_vtp(const std::filesystem::path& file, const Raster& elevation,
+                       const Vec3d& origin, std::size_t max_points = 4'000'000);
+
+/// The list of frames that ParaView opens as a time series.
+class PvdWriter {
+ public:
+  explicit PvdWriter(std::filesystem::path file) : file_(std::move(file)) {}
+
+  /// Adds a frame, its path relative to the list, and rewrites the list. Throws RunError.
+  void add(double time, const std::string& frame_file);
+
+ private:
+  std::filesystem::path file_;
+  std::string entries_;
+};
+
+}  // namespace sabo

@@ -1,0 +1,34 @@
+#include "particles/particles.hpp"
+
+namespace sabo {
+namespace {
+
+template <class T>
+std::vector<T> gathered(const std::vector<T>& source, const std::vector<std::uint32_t>& order) {
+  std::vector<T> result(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k) result[k] = source[order[k]];
+  return result;
+}
+
+}  // namespace
+
+void Particles::resize(std::size_t count) {
+#define SABO_RESIZE_FIELD(type, name, unit, meaning) name.resize(count);
+  SABO_PARTICLE_FIELDS(SABO_RESIZE_FIELD)
+#undef SABO_RESIZE_FIELD
+}
+
+void Particles::permute(const std::vector<std::uint32_t>& order) {
+#define SABO_PERMUTE_FIELD(type, name, unit, meaning) name = gathered(name, order);
+  SABO_PARTICLE_FIELDS(SABO_PERMUTE_FIELD)
+#undef SABO_PERMUTE_FIELD
+}
+
+void Particles::append(const Particles& source, const std::vector<std::uint32_t>& rows) {
+#define SABO_APPEND_FIELD(type, name, unit, meaning) \
+  for (const std::uint32_t row : rows) name.push_back(source.name[row]);
+  SABO_PARTICLE_FIELDS(SABO_APPEND_FIELD)
+#undef SABO_APPEND_FIELD
+}
+
+}  // namespace sabo

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "math/vec3.hpp"
+
+namespace sabo {
+
+// The one list of particle fields: X(type, name, unit, meaning). Members, sizes, permutations and
+// the arrays of a frame come from it.
+#define SABO_PARTICLE_FIELDS(X)                                                          \
+  X(Vec3d, position, "m", "position in the solver frame, z up")                          \
+  X(Vec3d, velocity, "m/s", "velocity")                                                  \
+  X(double, density, "kg/m3", "density")                                                 \
+  X(double, mass, "kg", "mass; constant in time")                                        \
+  X(std::uint32_t, id, "", "number that stays with the particle for the whole run")      \
+  X(double, pressure, "Pa", "pressure of the last evaluation; may be negative")          \
+  X(double, viscosity, "Pa s", "effective viscosity of the last evaluation")             \
+  X(double, shear_rate, "1/s", "engineering shear rate of the last evaluation")
+
+/// Structure of arrays, all of equal length.
+struct Particles {
+#define SABO_DECLARE_FIELD(type, name, unit, meaning) std::vector<type> name;
+  SABO_PARTICLE_FIELDS(SABO_DECLARE_FIELD)
+#undef SABO_DECLARE_FIELD
+
+  std::size_t size() const { return position.size(); }
+
+  /// New entries are zero.
+  void resize(std::size_t count);
+
+  /// Row k of the result is row order[k] of this set; `order` may leave rows out.
+  void permute(const std::vector<std::uint32_t>& order);
+
+  /// Appends the given rows of another set.
+  void append(const Particles& source, const std::vector<std::uint32_t>& rows);
+
+  /// Calls f(name, unit, meaning, array) for each field.
+  template <class F>
+  void for_each_field(F&& f) const {
+#define SABO_VISIT_FIELD(type, name, unit, meaning) f(#name, unit, meaning, name);
+    SABO_PARTICLE_FIELDS(SABO_VISIT_FIELD)
+#undef SABO_VISIT_FIELD
+  }
+};
+
+}  // namespace sabo

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cmath>
+
+#include "base/host_device.hpp"
+
+namespace sabo {
+
+/// Tait equation p = B ((rho/rho0)^7 - 1) with B = c0^2 rho0 / 7 (paper Eq. 14; its printed
+/// c0^2 rho0 gamma is a misprint: dp/drho at rho0 must be c0^2).
+struct Tait {
+  double rho0;  ///< reference density, kg/m3
+  double c0;    ///< sound speed at rho0, m/s
+
+  SABO_HD constexpr double b() const { return c0 * c0 * rho0 / 7; }
+
+  /// Pressure, Pa. The binomial is multiplied out in e = rho/rho0 - 1, which keeps the digits that
+  /// (rho/rho0)^7 - 1 would cancel.
+  SABO_HD constexpr double pressure(double rho) const {
+    const double e = rho / rho0 - 1;
+    return b() * e * (7 + e * (21 + e * (35 + e * (35 + e * (21 + e * (7 + e))))));
+  }
+
+  /// Density at a pressure above -B, kg/m3.
+  double density(double p) const { return rho0 * std::pow(1 + p / b(), 1.0 / 7); }
+};
+
+}  // namespace sabo

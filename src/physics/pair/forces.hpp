@@ -1,0 +1,46 @@
+#pragma once
+
+#include "math/scalar.hpp"
+#include "math/sym3.hpp"
+#include "physics/pair/geometry.hpp"
+
+namespace sabo {
+
+/// Pressure and nested viscous force (paper Eqs. 13 and 18), m/s2:
+/// m_j (s_i + s_j) . grad_i W_ij with s = (tau - p I) / rho^2. Antisymmetric: momentum is exact.
+template <class T>
+SABO_HD inline Vec3<T> stress_force(const PairGeometry<T>& pair, const Sym3<T>& s_i,
+                                    const Sym3<T>& s_j, T mass_j) {
+  return (mass_j * pair.gradient) * ((s_i + s_j) * pair.x);
+}
+
+/// Viscosity between two particles: the harmonic mean, which keeps the stress continuous where
+/// yielded meets unyielded material (Cleary & Monaghan 1999). Zero if both are zero.
+template <class T>
+SABO_HD inline T pair_viscosity(T mu_i, T mu_j) {
+  return T(2) * mu_i * mu_j / larger(mu_i + mu_j, T(1e-30));
+}
+
+/// Two-point viscous force (Morris et al. 1997, Eq. 22), m/s2:
+/// 2 mu_ij m_j / (rho_i rho_j) F r^2 / (r^2 + eta^2) v_ij; F is negative, so it opposes v_ij.
+template <class T>
+SABO_HD inline Vec3<T> morris_force(const PairGeometry<T>& pair, const Vec3<T>& v_ij, T mu_ij,
+                                    T mass_j_over_densities, T eta2) {
+  const T damping =
+      T(2) * mu_ij * mass_j_over_densities * pair.gradient * pair.r2 / (pair.r2 + eta2);
+  return damping * v_ij;
+}
+
+/// Artificial viscosity (Monaghan 1992), m/s2: - m_j Pi_ij grad W with
+/// Pi_ij = - alpha c0 h (v.x) / ((r^2 + eta^2) rho_mean) for approaching pairs, else 0.
+template <class T>
+SABO_HD inline Vec3<T> artificial_force(const PairGeometry<T>& pair, const Vec3<T>& v_ij,
+                                        T alpha_c0_h, T mass_j_over_mean_density, T eta2) {
+  const T approach = dot(v_ij, pair.x);
+  const T closing = smaller(approach, T(0));
+  const T strength =
+      alpha_c0_h * mass_j_over_mean_density * pair.gradient * closing / (pair.r2 + eta2);
+  return strength * pair.x;
+}
+
+}  // namespace sabo

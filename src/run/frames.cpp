@@ -1,0 +1,57 @@
+#include "run/frames.hpp"
+
+#include <cstdio>
+#include <list>
+#include <type_traits>
+
+namespace sabo {
+namespace {
+
+std::string title(const char* name, const char* unit) {
+  return *unit ? std::string(name) + " [" + unit + "]" : std::string(name);
+}
+
+std::vector<float> flattened(const std::vector<Vec3d>& values) {
+  std::vector<float> flat;
+  flat.reserve(3 * values.size());
+  for (const Vec3d& v : values) flat.insert(flat.end(), {float(v.x), float(v.y), float(v.z)});
+  return flat;
+}
+
+}  // namespace
+
+Frames::Frames(const Scene& scene, const RunFolder& folder)
+    : folder_(folder.frames()),
+      origin_{scene.frame.origin_x, scene.frame.origin_y, 0},
+      list_(folder.frames() / "flow.pvd") {
+  write_surface_vtp(folder_ / "ground.vtp", scene.surface->elevation(), origin_);
+}
+
+void Frames::write(double time, const Particles& fluid) {
+  char name[32];
+  std::snprintf(name, sizeof name, "flow_%05zu.vtp", count_++);
+
+  VtpFrame frame{time, origin_};
+  std::vector<Vec3f> points;
+  points.reserve(fluid.size());
+  for (const Vec3d& x : fluid.position) points.push_back({float(x.x), float(x.y), float(x.z)});
+  frame.points = points;
+
+  std::list<std::vector<float>> kept;  // the frame holds views of these
+  fluid.for_each_field([&](const char* field, const char* unit, const char*, const auto& values) {
+    using Value = typename std::decay_t<decltype(values)>::value_type;
+    if constexpr (std::is_same_v<Value, std::uint32_t>) {
+      frame.arrays.push_back({title(field, unit), 1, std::span(values)});
+    } else if constexpr (std::is_same_v<Value, double>) {
+      kept.emplace_back(values.begin(), values.end());
+      frame.arrays.push_back({title(field, unit), 1, std::span<const float>(kept.back())});
+    } else if (&values != &fluid.position) {
+      kept.push_back(flattened(values));
+      frame.arrays.push_back({title(field, unit), 3, std::span<const float>(kept.back())});
+    }
+  });
+  write_particles_vtp(folder_ / name, frame);
+  list_.add(time, name);
+}
+
+}  // namespace sabo

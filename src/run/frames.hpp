@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "io/output/vtp.hpp"
+#include "particles/particles.hpp"
+#include "run/run_folder.hpp"
+#include "run/scene.hpp"
+
+namespace sabo {
+
+/// Writes the frames of a run for ParaView: one .vtp per time, listed in flow.pvd, and the ground.
+class Frames {
+ public:
+  /// Writes ground.vtp.
+  Frames(const Scene& scene, const RunFolder& folder);
+
+  void write(double time, const Particles& fluid);
+
+ private:
+  std::filesystem::path folder_;
+  Vec3d origin_;
+  PvdWriter list_;
+  std::size_t count_ = 0;
+};
+
+}  // namespace sabo

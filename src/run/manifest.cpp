@@ -1,0 +1,164 @@
+#include "run/manifest.hpp"
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "base/version.hpp"
+#include "io/case_file/write_case.hpp"
+#include "io/output/checksum.hpp"
+#include "io/output/file.hpp"
+#include "run/volume_table.hpp"
+
+namespace sabo {
+namespace {
+
+/// A basic TOML string.
+std::string quoted(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    if (c == '\n' || c == '\t') {
+      result += ' ';
+    } else {
+      result += c;
+    }
+  }
+  return result + '"';
+}
+
+std::string input_checksums(const Case& c) {
+  std::string text = "\n[inputs]  # CRC-32\n";
+  std::vector<std::filesystem::path> files{c.terrain.dem, c.release.polygon.file,
+                                           c.release.thickness_raster, c.release.points,
+                                           c.path.line.file};
+  for (const StructureCase& structure : c.structures) files.push_back(structure.line.file);
+  for (const SectionCase& section : c.sections) files.push_back(section.line.file);
+  for (const std::filesystem::path& file : files)
+    if (!file.empty()) text += quoted(file.string()) + " = " + quoted(checksum(file)) + "\n";
+  return text;
+}
+
+std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
+  std::string text = fmt::format("released = {:.3f}\noutflow = {:.3f}\nput_back = {}\n",
+                                 row.released, row.outflow, row.put_back);
+  if (dam < scene.dams.size())
+    text += fmt::format("dam = {}\ntrapped = {:.3f}\nbeyond = {:.3f}\n",
+                        quoted(scene.dams[dam].name), row.trapped, row.beyond);
+  return text;
+}
+
+double percent(double a, double b) { return b > 0 ? 100 * (a / b - 1) : 0; }
+
+}  // namespace
+
+std::string utc_now() {
+  return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
+}
+
+void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
+                    const std::vector<SeriesRow>& rows, const RunFolder& folder) {
+  std::string text = fmt::format(
+      "# Written by sabo. Units: m, s, m3.\n"
+      "run_folder_version = {}\n\n[run]\nend = {}\nreason = {}\nversion = {}\ncompiler = {}\n"
+      "started = {}\nwall_s = {:.1f}\nsimulated_s = {:.6g}\nsteps = {}\nparticles = {}\n"
+      "boundary_particles = {}\ntop_speed = {:.3f}\nsound_speed = {:.3f}\n",
+      run_folder_version, quoted(std::string(word_of(facts.end))), quoted(facts.reason),
+      quoted(build_version), quoted(build_compiler),
+      quoted(facts.started), facts.wall, facts.simulated, facts.steps, facts.particles,
+      facts.boundary_particles, facts.top_speed, facts.sound_speed);
+  if (!rows.empty())
+    for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
+      text += "\n[[volumes]]\n" + volumes(scene, rows.back().volumes[k], k);
+  text += fmt::format(
+      "\n[maps]\nraster_volume = {:.3f}\nparticle_volume = {:.3f}\n"
+      "\n[resolution]\nwet_area = {:.1f}\nmedian_layers = {:.2f}\nthin_share = {:.3f}\n",
+      facts.raster_volume, facts.particle_volume, facts.resolution.wet_area,
+      facts.resolution.median_layers, facts.resolution.thin_share);
+  write_file_atomically(folder.root() / "case.toml", write_case(c));
+  write_file_atomically(folder.manifest(), text + input_checksums(c));
+}
+
+std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, const Scene& scene,
+                                       const std::vector<SeriesRow>& rows) {
+  std::vector<std::string> lines;
+  if (facts.end != RunEnd::finished)
+    lines.push_back(fmt::format("The run {} at {:.2f} s of {:g} s{}",
+                                facts.end == RunEnd::failed ? "failed" : "was stopped",
+                                facts.simulated, c.run.duration,
+                                facts.reason.empty() ? "." : ": " + facts.reason));
+  if (!c.note.empty()) lines.push_back("Note: " + c.note);
+  if (!rows.empty())
+    for (const std::string& line : volume_table_text(c, scene, rows.back())) lines.push_back(line);
+  lines.push_back(fmt::format(
+      "Map volume {:.1f} m3, particle volume {:.1f} m3, difference {:.4f} %",
+      facts.raster_volume, facts.particle_volume,
+      percent(facts.raster_volume, facts.particle_volume)));
+  lines.push_back(fmt::format(
+      "Resolution: median greatest depth {:.1f} particles; {:.0f} % of the wet area under {:g}",
+      facts.resolution.median_layers, 100 * facts.resolution.thin_share,
+      ResolutionGuard::enough_layers));
+  if (facts.resolution.median_layers < ResolutionGuard::enough_layers)
+    lines.push_back("  the flow is thinner than its particles resolve: try a smaller "
+                    "numerics.spacing and compare");
+  if (facts.top_speed > 0.1 * facts.sound_speed)
+    lines.push_back(fmt::format(
+        "Mach number {:.2f}: the fastest particle, {:.1f} m/s, is above a tenth of the sound "
+        "speed, {:.0f} m/s; numerics.reference_speed = {:.0f} would keep it below",
+        facts.top_speed / facts.sound_speed, facts.top_speed, facts.sound_speed,
+        facts.top_speed * 10 / c.numerics.sound_speed_factor));
+  if (!rows.empty() && rows.back().volumes[0].put_back > 0)
+    lines.push_back(fmt::format("{} times a particle was found below the ground and put back",
+                                rows.back().volumes[0].put_back));
+  return lines;
+}
+
+IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
+                     const std::vector<SeriesRow>& rows, std::vector<PagePicture> pictures) {
+  IndexPage page;
+  page.title = c.title.empty() ? "Debris flow" : c.title;
+  page.subtitle = fmt::format("sabo {} · {} · {}", build_version, facts.started, word_of(facts.end));
+  page.note = c.note;
+  page.facts = {
+      {"Simulated", fmt::format("{:.1f} s of {:g} s, {} steps, {:.0f} s of computing",
+                                facts.simulated, c.run.duration, facts.steps, facts.wall)},
+      {"Particles", fmt::format("{} of the flow, spacing {:g} m; {} of the ground at the end",
+                                facts.particles, c.numerics.spacing, facts.boundary_particles)},
+      {"Material", fmt::format("{} law, density {:g} kg/m3, friction angle {:g} deg, cohesion "
+                               "{:g} Pa, pore pressure ratio {:g}",
+                               name_of(c.material.law), c.material.density,
+                               c.material.yield.friction_angle, c.material.yield.cohesion,
+                               c.material.yield.pore_pressure_ratio)},
+      {"Method", fmt::format("{}, viscous operator {}, boundary stress {}",
+                             word_of(c.numerics.method), word_of(c.numerics.viscous_operator),
+                             word_of(c.numerics.boundary_stress))},
+      {"Fastest particle", fmt::format("{:.1f} m/s (sound speed {:.0f} m/s)", facts.top_speed,
+                                       facts.sound_speed)},
+      {"Resolution",
+       fmt::format("median greatest depth {:.1f} particles; {:.0f} % of the wet area under {:g}",
+                   facts.resolution.median_layers, 100 * facts.resolution.thin_share,
+                   ResolutionGuard::enough_layers)},
+      {"Map volume", fmt::format("{:.1f} m3, {:+.4f} % of the particles'", facts.raster_volume,
+                                 percent(facts.raster_volume, facts.particle_volume))}};
+  if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
+  if (!rows.empty()) page.tables = volume_tables(c, scene, rows.back());
+  page.pictures = std::move(pictures);
+  page.files = {
+      {"case.toml", "the case with every default"},
+      {"manifest.toml", "version, times, volumes, checksums of the inputs"},
+      {"maps/dep.tif", "depth at the end, m"},
+      {"maps/pfd.tif", "greatest depth, m"},
+      {"maps/pfv.tif", "greatest speed, m/s"},
+      {"maps/tarr.tif", "arrival time, s"},
+      {"series/front.csv", "position, displacement and velocity of the front"},
+      {"series/discharge.csv", "discharge through the sections"},
+      {"series/volumes.csv", "released, trapped, beyond, outflow"},
+      {"series/energy.csv", "mass and energies"},
+      {"series/solver.csv", "time step, speeds, density range, particle counts"},
+      {"frames/flow.pvd", "particles as a time series for ParaView"},
+      {"frames/ground.vtp", "the ground for ParaView"}};
+  return page;
+}
+
+}  // namespace sabo

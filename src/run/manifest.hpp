@@ -1,0 +1,49 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "analysis/resolution.hpp"
+#include "io/output/index_page.hpp"
+#include "run/recorder.hpp"
+#include "run/run_folder.hpp"
+#include "run/simulation.hpp"
+
+namespace sabo {
+
+/// What is said of a run when it is over.
+struct RunFacts {
+  RunEnd end = RunEnd::finished;
+  std::string reason;  ///< of a failure
+  std::string started; ///< UTC, ISO 8601
+  double wall = 0;     ///< s
+  double simulated = 0;
+  std::size_t steps = 0;
+  std::size_t particles = 0;           ///< released
+  std::size_t boundary_particles = 0;  ///< at the end
+  double raster_volume = 0;            ///< sum over dep.tif, m3
+  double particle_volume = 0;          ///< of the particles in the domain, m3
+  double top_speed = 0;                ///< m/s
+  double sound_speed = 0;              ///< m/s
+  ResolutionGuard resolution;
+};
+
+/// Version of the layout of a run folder.
+inline constexpr int run_folder_version = 1;
+
+/// Writes manifest.toml and the resolved case.toml with the checksums of its inputs.
+void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
+                    const std::vector<SeriesRow>& rows, const RunFolder& folder);
+
+/// The lines to print when a run is over.
+std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, const Scene& scene,
+                                       const std::vector<SeriesRow>& rows);
+
+/// The page of the run.
+IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
+                     const std::vector<SeriesRow>& rows, std::vector<PagePicture> pictures);
+
+/// UTC now, ISO 8601.
+std::string utc_now();
+
+}  // namespace sabo

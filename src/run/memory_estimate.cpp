@@ -1,0 +1,29 @@
+#include "run/memory_estimate.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace sabo {
+namespace {
+
+constexpr double bytes_of_program = 50e6;   // libraries and their tables
+constexpr double bytes_per_cell = 100;      // elevations twice, and the maps
+constexpr double bytes_per_particle = 400;  // fields, rates, start of the step, records
+constexpr double bytes_per_neighbour = 4;   // its index
+constexpr double list_radius_over_kernel = 1.1;
+constexpr double late_depth = 2;            // particles
+constexpr double ground_beside_flow = 1.5;  // ground that is made, over ground under the flow
+
+}  // namespace
+
+double expected_memory(const FlowModel& model, std::size_t particles, std::size_t dem_cells) {
+  const double radius = list_radius_over_kernel * model.kernel_radius() / model.spacing;
+  const double neighbours = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+  const double layers = std::ceil(model.kernel_radius() / model.spacing);
+  const auto fluid = static_cast<double>(particles);
+  const double boundary = fluid / late_depth * layers * ground_beside_flow;
+  return bytes_of_program + bytes_per_cell * static_cast<double>(dem_cells) +
+         (fluid + boundary) * bytes_per_particle + fluid * neighbours * bytes_per_neighbour;
+}
+
+}  // namespace sabo

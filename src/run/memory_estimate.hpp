@@ -1,0 +1,13 @@
+#pragma once
+
+#include <cstddef>
+
+#include "backend/model.hpp"
+
+namespace sabo {
+
+/// Memory that a run on the CPU takes at its peak, bytes; right to a factor of about two. The peak
+/// comes late, when the flow has thinned out: it is taken to be two particles deep by then.
+double expected_memory(const FlowModel& model, std::size_t particles, std::size_t dem_cells);
+
+}  // namespace sabo

@@ -1,0 +1,211 @@
+#include "run/preview.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "analysis/resolution.hpp"
+#include "io/gis/crs.hpp"
+#include "io/gis/gdal_errors.hpp"
+#include "run/memory_estimate.hpp"
+#include "solver/flow_model.hpp"
+
+namespace sabo {
+namespace {
+
+double degrees_of(double slope) { return std::atan(slope) * 180 / std::numbers::pi; }
+
+/// Lines under labels, then what to be aware of.
+class Preview {
+ public:
+  /// A line under a label; a label is printed once.
+  void line(std::string_view label, const std::string& text) {
+    text_ += fmt::format("{:<12}{}\n", label == label_ ? "" : label, text);
+    label_ = label;
+  }
+  void warn(std::string text) { warnings_.push_back(std::move(text)); }
+
+  std::string text() const {
+    std::string all = text_;
+    if (!warnings_.empty()) all += "\nBe aware:\n";
+    for (const std::string& warning : warnings_) all += "  - " + warning + "\n";
+    return all;
+  }
+
+ private:
+  std::string text_;
+  std::string_view label_;
+  std::vector<std::string> warnings_;
+};
+
+void tell_terrain(Preview& preview, const Scene& scene) {
+  const Raster& ground = scene.surface->elevation();
+  const Grid& grid = ground.grid;
+  const GdalErrors errors;
+  const std::string crs =
+      scene.frame.crs.empty() ? "no coordinate system" : name_of(crs_of(scene.frame.crs));
+  preview.line("Terrain", fmt::format("{} x {} cells of {:g} x {:g} m, {}", grid.columns, grid.rows,
+                                      grid.dx, grid.dy, crs));
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -lowest;
+  for (const double z : ground.values) {
+    if (std::isnan(z)) continue;
+    lowest = std::min(lowest, z);
+    highest = std::max(highest, z);
+  }
+  preview.line("Terrain", fmt::format("elevation {:.1f} to {:.1f} m", lowest, highest));
+
+  const HoleReport& holes = scene.holes;
+  if (holes.holes_filled > 0) {
+    preview.line("Terrain", fmt::format("holes filled: {} with {} cells", holes.holes_filled,
+                                        holes.cells_filled));
+  }
+  if (holes.border_cells_left > 0) {
+    preview.line("Terrain",
+                 fmt::format("{} cells without data at the border", holes.border_cells_left));
+  }
+  if (holes.holes_left > 0) {
+    preview.warn(fmt::format(
+        "{} holes of the DEM with {} cells are too large to fill (terrain.fill_holes): what flows "
+        "into them leaves the domain",
+        holes.holes_left, holes.enclosed_cells_left));
+  }
+}
+
+void tell_release(Preview& preview, const Case& c, const Scene& scene) {
+  const double dp = c.numerics.spacing;
+  const double layers = scene.release_depth / dp;
+  preview.line("Release", fmt::format("{:.0f} m3, up to {:.2f} m deep, centre at ({:.1f}, {:.1f})",
+                                      scene.release_volume, scene.release_depth,
+                                      scene.frame.origin_x + scene.release_centre.x,
+                                      scene.frame.origin_y + scene.release_centre.y));
+  preview.line("Release", fmt::format("{} particles at {:g} m: {:.1f} in the greatest depth",
+                                      scene.release.size(), dp, layers));
+  if (layers < ResolutionGuard::enough_layers) {
+    preview.warn(
+        fmt::format("the release is only {:.1f} particles deep; take numerics.spacing = {:.2g} m "
+                    "or less for {:g}",
+                    layers, scene.release_depth / ResolutionGuard::enough_layers,
+                    ResolutionGuard::enough_layers));
+  }
+}
+
+/// Crest and ground along a dam.
+struct DamProfile {
+  double lowest_crest = std::numeric_limits<double>::infinity();
+  double highest_crest = -std::numeric_limits<double>::infinity();
+  double greatest_height = 0;  ///< of the crest above the ground
+};
+
+DamProfile profile_of(const CheckDam& dam, const Surface& surface) {
+  constexpr int samples = 200;
+  DamProfile profile;
+  const double end = length(dam.axis);
+  for (int k = 0; k <= samples; ++k) {
+    const double station = end * k / samples;
+    const Vec3d place = point_at(dam.axis, station);
+    const double crest = dam.top(station) + dam.notch_depth(station);
+    profile.lowest_crest = std::min(profile.lowest_crest, crest);
+    profile.highest_crest = std::max(profile.highest_crest, crest);
+    profile.greatest_height =
+        std::max(profile.greatest_height, crest - surface.height(place.x, place.y));
+  }
+  return profile;
+}
+
+void tell_dam(Preview& preview, const CheckDam& dam, const Scene& scene, const FlowModel& model) {
+  const DamProfile profile = profile_of(dam, *scene.surface);
+  const bool is_level = profile.highest_crest - profile.lowest_crest < 0.005;
+  const std::string crest =
+      is_level ? fmt::format("{:.2f}", profile.highest_crest)
+               : fmt::format("{:.2f} to {:.2f}", profile.lowest_crest, profile.highest_crest);
+  preview.line(
+      "Structures",
+      fmt::format("{}: {:.1f} m long, {:g} m thick, crest at {} m, up to {:.2f} m above "
+                  "the ground",
+                  dam.name, length(dam.axis), dam.thickness, crest, profile.greatest_height));
+  if (dam.notch) {
+    preview.line("Structures", fmt::format("  notch {:g} m wide and {:g} m deep at {:.1f} m",
+                                           dam.notch->width, dam.notch->depth, dam.notch->centre));
+  }
+  // The nearest particles stand half a spacing from either face.
+  const double thinnest = model.kernel_radius() - model.spacing;
+  if (dam.thickness < thinnest) {
+    preview.warn(fmt::format(
+        "\"{}\" is {:g} m thick: the flow on one side feels that on the other through it below "
+        "{:.2f} m; take a smaller numerics.spacing",
+        dam.name, dam.thickness, thinnest));
+  }
+}
+
+void tell_lines(Preview& preview, const Case& c, const Scene& scene) {
+  for (const NamedSection& section : scene.sections) {
+    preview.line("Sections", fmt::format("{}: {:.1f} m long", section.name, length(section.line)));
+  }
+  const double run = length(scene.path);
+  if (!(run > 0)) return;
+  const Vec3d& first = scene.path.vertices.front();
+  const Vec3d& last = scene.path.vertices.back();
+  const double fall =
+      scene.surface->height(first.x, first.y) - scene.surface->height(last.x, last.y);
+  preview.line("Path", fmt::format("{:.0f} m long, falls {:.1f} m, mean slope {:.1f} deg ({})", run,
+                                   fall, degrees_of(fall / run),
+                                   scene.path_is_descent ? "found by steepest descent" : "given"));
+  const MohrCoulomb& yield = c.material.yield;
+  if (!has_yield(c.material.law) || fall / run >= yield.slope()) return;
+  preview.warn(fmt::format(
+      "the path's mean slope of {:.1f} deg is below the effective friction angle of {:.1f} deg "
+      "(friction_angle {:g} deg, pore_pressure_ratio {:g}): the mass may not reach its end",
+      degrees_of(fall / run), degrees_of(yield.slope()), yield.friction_angle,
+      yield.pore_pressure_ratio));
+}
+
+void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
+  const TimeStepRule rule = time_step_rule(c.numerics, model);
+  const double speed = c.numerics.reference_speed;
+  const double stiffest =
+      std::visit([](const auto& law) { return law.max_viscosity(); }, c.material.law);
+  const double viscosity = stiffest / c.material.density;
+  const TimeStep without_viscosity = rule({speed, c.numerics.gravity, 0});
+  const TimeStep step = rule({speed, c.numerics.gravity, viscosity});
+
+  preview.line("Material", fmt::format("{}, {:g} kg/m3, at most {:.3g} Pa s",
+                                       name_of(c.material.law), c.material.density, stiffest));
+  preview.line("Numerics", fmt::format("{}, h = {:g} m, sound speed {:.0f} m/s",
+                                       word_of(c.numerics.method), model.h, model.state.c0));
+  preview.line("Numerics",
+               fmt::format("time step {:.3g} s, {} limit{}", step.dt, word_of(step.limit),
+                           step.limit == StepLimit::viscous
+                               ? fmt::format(" while at rest ({:.3g} s without viscosity)",
+                                             without_viscosity.dt)
+                               : ""));
+  preview.line("Numerics", fmt::format("about {:.3g} steps for {:g} s",
+                                       std::ceil(c.run.duration / step.dt), c.run.duration));
+}
+
+}  // namespace
+
+std::string preview_text(const Case& c, const Scene& scene) {
+  const FlowModel model = flow_model(c.material, c.numerics, scene.release_depth);
+  Preview preview;
+  if (!c.title.empty()) preview.line("Case", c.title);
+  if (!c.note.empty()) preview.line("Case", c.note);
+  tell_terrain(preview, scene);
+  tell_release(preview, c, scene);
+  for (const CheckDam& dam : scene.dams) tell_dam(preview, dam, scene, model);
+  tell_lines(preview, c, scene);
+  tell_numerics(preview, c, model);
+  preview.line("Memory", fmt::format("about {:.0f} MB",
+                                     expected_memory(model, scene.release.size(),
+                                                     scene.surface->elevation().grid.size()) /
+                                         1e6));
+  return preview.text();
+}
+
+}  // namespace sabo

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+#include "case/case.hpp"
+#include "run/scene.hpp"
+
+namespace sabo {
+
+/// What `sabo check` says of a sound case: terrain, release, structures, particles, time step.
+std::string preview_text(const Case& c, const Scene& scene);
+
+}  // namespace sabo

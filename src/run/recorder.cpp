@@ -1,0 +1,122 @@
+#include "run/recorder.hpp"
+
+#include <algorithm>
+#include <string>
+
+namespace sabo {
+namespace {
+
+std::vector<std::string> discharge_header(const Scene& scene) {
+  std::vector<std::string> header{"time [s]"};
+  for (const NamedSection& section : scene.sections) {
+    header.push_back(section.name + " net discharge [m3/s]");
+    header.push_back(section.name + " forward volume [m3]");
+    header.push_back(section.name + " backward volume [m3]");
+  }
+  return header;
+}
+
+std::vector<std::string> volumes_header(const Scene& scene) {
+  std::vector<std::string> header{"time [s]", "released [m3]", "outflow [m3]", "put back [count]"};
+  for (const CheckDam& dam : scene.dams) {
+    header.push_back(dam.name + " trapped [m3]");
+    header.push_back(dam.name + " beyond [m3]");
+  }
+  return header;
+}
+
+std::vector<VolumeLedger> make_ledgers(const Case& c, const Scene& scene) {
+  std::vector<VolumeLedger> ledgers;
+  for (const CheckDam& dam : scene.dams)
+    ledgers.emplace_back(c.material.density, dam.axis, scene.release_centre);
+  if (ledgers.empty()) ledgers.emplace_back(c.material.density);
+  for (VolumeLedger& ledger : ledgers) ledger.release(scene.release);
+  return ledgers;
+}
+
+}  // namespace
+
+Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
+                   const RunFolder& folder)
+    : model_(model),
+      ledgers_(make_ledgers(c, scene)),
+      front_(scene.path),
+      maps_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
+      has_dams_(!scene.dams.empty()),
+      front_csv_(folder.series() / "front.csv",
+                 {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),
+      discharge_csv_(folder.series() / "discharge.csv", discharge_header(scene)),
+      volumes_csv_(folder.series() / "volumes.csv", volumes_header(scene)),
+      energy_csv_(folder.series() / "energy.csv",
+                  {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
+                   "dissipated [J]"}),
+      solver_csv_(folder.series() / "solver.csv",
+                  {"time [s]", "step [count]", "time step [s]", "fastest [m/s]",
+                   "lowest density ratio", "highest density ratio", "fluid [count]",
+                   "boundary [count]"}) {
+  for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
+  tracks_.advance(scene.release);
+}
+
+void Recorder::after_step(double time, const Particles& fluid) {
+  const std::vector<Vec3d>& before = tracks_.advance(fluid);
+  for (Section& section : sections_) section.record(before, fluid, model_.state.rho0);
+  for (VolumeLedger& ledger : ledgers_) ledger.record(before, fluid);
+  if (time >= maps_due_) {
+    maps_.update(time, fluid);
+    maps_due_ = time + maps_.sampling_interval(fluid);
+  }
+}
+
+void Recorder::after_renewal(Domain& domain) {
+  const Particles departed = domain.take_departed();
+  const std::size_t put_back = domain.put_back_count() - put_back_seen_;
+  put_back_seen_ += put_back;
+  for (VolumeLedger& ledger : ledgers_) {
+    if (departed.size() > 0) ledger.leave(departed);
+    ledger.put_back(put_back);
+  }
+}
+
+void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backend& backend) {
+  SeriesRow row;
+  row.time = stepper.time();
+  const double interval = rows_.empty() ? 0 : row.time - rows_.back().time;
+  row.front = front_.update(row.time, backend.fluid());
+  row.energy = energy_of(backend.fluid(), model_.gravity, model_.state);
+  row.dissipated = stepper.dissipated();
+
+  std::vector<double> discharge{row.time};
+  for (Section& section : sections_) {
+    const double volume = section.take_interval().net();
+    row.discharge.push_back(interval > 0 ? volume / interval : 0);
+    discharge.insert(discharge.end(),
+                     {row.discharge.back(), section.total().forward, section.total().backward});
+  }
+  for (const VolumeLedger& ledger : ledgers_) row.volumes.push_back(ledger.row());
+  const VolumeRow& first = row.volumes.front();
+  std::vector<double> volumes{row.time, first.released, first.outflow,
+                              static_cast<double>(first.put_back)};
+  if (has_dams_)
+    for (const VolumeRow& at_dam : row.volumes)
+      volumes.insert(volumes.end(), {at_dam.trapped, at_dam.beyond});
+
+  front_csv_.append({row.time, row.front.position, row.front.displacement, row.front.velocity});
+  discharge_csv_.append(discharge);
+  volumes_csv_.append(volumes);
+  energy_csv_.append({row.time, row.energy.mass, row.energy.kinetic, row.energy.potential,
+                      row.energy.elastic, row.dissipated});
+  write_solver_row(stepper, report, backend);
+  rows_.push_back(std::move(row));
+}
+
+void Recorder::write_solver_row(const Stepper& stepper, const StepReport& report,
+                                Backend& backend) {
+  const FlowHealth health = backend.health();
+  solver_csv_.append({stepper.time(), static_cast<double>(stepper.steps()), report.dt,
+                      report.flow.speed, health.min_density_ratio, health.max_density_ratio,
+                      static_cast<double>(backend.fluid().size()),
+                      static_cast<double>(backend.boundary().size())});
+}
+
+}  // namespace sabo

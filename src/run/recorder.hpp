@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "analysis/energy.hpp"
+#include "analysis/flow_maps.hpp"
+#include "analysis/front.hpp"
+#include "analysis/section.hpp"
+#include "analysis/tracks.hpp"
+#include "analysis/volume_ledger.hpp"
+#include "io/output/csv.hpp"
+#include "run/run_folder.hpp"
+#include "run/scene.hpp"
+#include "solver/domain.hpp"
+#include "solver/stepper.hpp"
+
+namespace sabo {
+
+/// One row of the series, kept for the pictures; discharge has one entry per section.
+struct SeriesRow {
+  double time = 0;
+  FrontRow front;
+  std::vector<double> discharge;   ///< net, mean since the row before, m3/s
+  std::vector<VolumeRow> volumes;  ///< one entry per dam, or one alone without a dam
+  Energy energy;
+  double dissipated = 0;  ///< J
+};
+
+/// Measures a run while it goes on and writes the series.
+class Recorder {
+ public:
+  Recorder(const Case& c, const Scene& scene, const FlowModel& model, const RunFolder& folder);
+
+  /// To be called after every step: counts crossings and samples the maps.
+  void after_step(double time, const Particles& fluid);
+
+  /// Particles that left the domain and those put back on the ground since the last call.
+  void after_renewal(Domain& domain);
+
+  /// Appends a row to every series.
+  void write_row(const Stepper& stepper, const StepReport& report, Backend& backend);
+
+  /// Takes the last state into the maps.
+  void finish(double time, const Particles& fluid) { maps_.update(time, fluid); }
+
+  const std::vector<SeriesRow>& rows() const { return rows_; }
+  const FlowMaps& maps() const { return maps_; }
+
+ private:
+  void write_solver_row(const Stepper& stepper, const StepReport& report, Backend& backend);
+
+  FlowModel model_;
+  Tracks tracks_;
+  std::vector<Section> sections_;
+  std::vector<VolumeLedger> ledgers_;
+  Front front_;
+  FlowMaps maps_;
+  double maps_due_ = 0;
+  std::size_t put_back_seen_ = 0;
+  bool has_dams_;
+  std::vector<SeriesRow> rows_;
+  CsvWriter front_csv_, discharge_csv_, volumes_csv_, energy_csv_, solver_csv_;
+};
+
+}  // namespace sabo

@@ -1,0 +1,37 @@
+#include "run/run_folder.hpp"
+
+#include <system_error>
+#include <utility>
+
+#include "base/error.hpp"
+#include "io/output/file.hpp"
+
+namespace sabo {
+
+RunFolder::RunFolder(std::filesystem::path folder, bool overwrite) : root_(std::move(folder)) {
+  namespace fs = std::filesystem;
+  std::error_code error;
+  if (fs::exists(root_, error)) {
+    if (!fs::is_directory(root_, error))
+      throw CaseError(root_.string(), "is a file, not a folder", "choose another name with -o");
+    const bool is_empty = fs::is_empty(root_, error);
+    const bool is_run = fs::exists(manifest(), error);
+    if (!is_empty && !is_run)
+      throw CaseError(root_.string(), "holds files that are not those of a run",
+                      "choose another folder with -o");
+    if (is_run && !overwrite)
+      throw CaseError(root_.string(), "holds a run already",
+                      "choose another folder with -o, or say --overwrite");
+    if (is_run)
+      for (const fs::path& part : {maps(), series(), frames(), pictures(), index()})
+        fs::remove_all(part, error);
+  }
+  for (const fs::path& part : {root_, maps(), series(), frames(), pictures()}) {
+    fs::create_directories(part, error);
+    if (error) throw RunError("cannot make " + part.string() + ": " + error.message());
+  }
+  // From here on the folder is known as that of a run, whatever happens to it.
+  write_file_atomically(manifest(), "[run]\nend = \"running\"\n");
+}
+
+}  // namespace sabo

@@ -1,0 +1,149 @@
+#include "run/run_info.hpp"
+
+#include <array>
+#include <map>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "io/case_file/toml_tree.hpp"
+#include "io/output/read_file.hpp"
+
+namespace sabo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t max_manifest = 1'000'000;  // bytes
+
+/// Units of the manifest's keys.
+const std::map<std::string_view, std::string_view> units{
+    {"wall_s", "s"},           {"simulated_s", "s"}, {"top_speed", "m/s"},
+    {"sound_speed", "m/s"},    {"released", "m3"},   {"outflow", "m3"},
+    {"trapped", "m3"},         {"beyond", "m3"},     {"raster_volume", "m3"},
+    {"particle_volume", "m3"}, {"wet_area", "m2"}};
+
+/// "boundary particles" of boundary_particles, "wall" of wall_s; file names stay as they are.
+std::string label_of(std::string key) {
+  if (key.find('.') != std::string::npos) return key;
+  if (key.ends_with("_s")) key.resize(key.size() - 2);
+  for (char& c : key) {
+    if (c == '_') c = ' ';
+  }
+  return key;
+}
+
+/// A single value; empty for tables, arrays and empty texts.
+std::string text_of(const TomlNode& node) {
+  return std::visit(
+      [](const auto& value) -> std::string {
+        using T = std::decay_t<decltype(value)>;
+        if constexpr (std::is_same_v<T, double>) {
+          return fmt::format("{:.9g}", value);
+        } else if constexpr (std::is_same_v<T, std::string> || std::is_same_v<T, bool> ||
+                             std::is_same_v<T, std::int64_t>) {
+          return fmt::format("{}", value);
+        } else {
+          return "";
+        }
+      },
+      node.value);
+}
+
+std::string table_text(const std::string& heading, const TomlTable& table) {
+  std::string text = fmt::format("\n{}\n", heading);
+  for (const auto& [key, node] : table) {
+    const std::string value = text_of(node);
+    if (value.empty()) continue;
+    const auto unit = units.find(key);
+    text += fmt::format("  {:<20} {}{}{}\n", label_of(key), value, unit == units.end() ? "" : " ",
+                        unit == units.end() ? "" : unit->second);
+  }
+  return text;
+}
+
+std::string manifest_text(const TomlTable& manifest) {
+  std::string text;
+  for (const auto& [key, node] : manifest) {
+    if (const auto* table = std::get_if<TomlTable>(&node.value)) text += table_text(key, *table);
+    if (const auto* list = std::get_if<TomlArray>(&node.value)) {
+      for (const TomlNode& item : *list) {
+        if (const auto* table = std::get_if<TomlTable>(&item.value))
+          text += table_text(key, *table);
+      }
+    }
+  }
+  return text;
+}
+
+struct FileTotal {
+  std::size_t files = 0;
+  std::uintmax_t bytes = 0;
+};
+
+FileTotal total_of(const fs::path& path) {
+  std::error_code error;
+  FileTotal total;
+  const auto add = [&](const fs::path& file) {
+    const std::uintmax_t size = fs::file_size(file, error);
+    if (error) return;
+    ++total.files;
+    total.bytes += size;
+  };
+  if (fs::is_regular_file(path, error)) add(path);
+  if (!fs::is_directory(path, error)) return total;
+  fs::recursive_directory_iterator entry(path, fs::directory_options::skip_permission_denied,
+                                         error);
+  for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error)) {
+    if (entry->is_regular_file(error)) add(entry->path());
+  }
+  return total;
+}
+
+std::string size_text(std::uintmax_t bytes) {
+  constexpr std::array<std::string_view, 4> names{"B", "kB", "MB", "GB"};
+  auto size = static_cast<double>(bytes);
+  std::size_t k = 0;
+  for (; size >= 1000 && k + 1 < names.size(); ++k) size /= 1000;
+  return fmt::format("{:.{}f} {}", size, k == 0 ? 0 : 1, names[k]);
+}
+
+std::string files_text(const fs::path& folder) {
+  constexpr std::array<std::string_view, 7> parts{
+      "index.html", "case.toml", "manifest.toml", "maps", "series", "frames", "pictures"};
+  std::string text = "\nfiles\n";
+  for (const std::string_view part : parts) {
+    const FileTotal total = total_of(folder / part);
+    if (total.files == 0) continue;
+    std::error_code error;
+    const bool is_folder = fs::is_directory(folder / part, error);
+    text += fmt::format("  {:<20} {:>9}{}\n", fmt::format("{}{}", part, is_folder ? "/" : ""),
+                        size_text(total.bytes),
+                        is_folder ? fmt::format(" in {} files", total.files) : "");
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string run_info_text(const fs::path& folder) {
+  const auto manifest_file = folder / "manifest.toml";
+  const auto content = read_file(manifest_file, max_manifest);
+  if (!content) {
+    throw CaseError(folder.string(), "is not the folder of a run: it has no readable manifest.toml",
+                    "give a folder that `sabo run` has written");
+  }
+  Faults faults;
+  const auto manifest = parse_toml(*content, manifest_file.string(), faults);
+  faults.throw_if_any();
+  if (!find(*manifest, "run")) {
+    throw CaseError(manifest_file.string(), "has no table [run]",
+                    "give a folder that `sabo run` has written");
+  }
+  return folder.string() + "\n" + manifest_text(*manifest) + files_text(folder);
+}
+
+}  // namespace sabo

@@ -1,0 +1,177 @@
+#include "run/simulation.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "base/error.hpp"
+#include "io/output/file.hpp"
+#include "run/frames.hpp"
+#include "run/manifest.hpp"
+#include "run/pictures.hpp"
+#include "run/recorder.hpp"
+#include "run/run_folder.hpp"
+#include "solver/domain.hpp"
+#include "solver/flow_model.hpp"
+#include "solver/make_backend.hpp"
+#include "solver/stepper.hpp"
+#include "terrain/ground.hpp"
+
+namespace sabo {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double seconds_since(Clock::time_point start) {
+  return std::chrono::duration<double>(Clock::now() - start).count();
+}
+
+GroundSettings ground_settings(const FlowModel& model) {
+  const int layers = static_cast<int>(std::ceil(model.kernel_radius() / model.spacing - 1e-9));
+  return {model.spacing, layers, model.state.rho0};
+}
+
+std::unique_ptr<Backend> loaded_backend(const Case& c, const Scene& scene,
+                                        const FlowModel& model) {
+  auto backend = make_backend(c.numerics.backend, model);
+  backend->fluid() = scene.release;
+  return backend;
+}
+
+/// One run from its first step to its page.
+class Simulation {
+ public:
+  Simulation(const Case& c, const Scene& scene, const RunOptions& options)
+      : case_(c),
+        scene_(scene),
+        options_(options),
+        model_(flow_model(c.material, c.numerics, scene.release_depth)),
+        ground_(*scene.surface, scene.dams, ground_settings(model_)),
+        domain_(ground_),
+        backend_(loaded_backend(c, scene, model_)),
+        folder_(options.folder, options.overwrite),
+        recorder_(c, scene, model_, folder_),
+        frames_(scene, folder_),
+        stepper_(*backend_, time_step_rule(c.numerics, model_), &domain_) {}
+
+  RunResult run() {
+    facts_.started = utc_now();
+    facts_.particles = scene_.release.size();
+    try {
+      simulate();
+    } catch (const RunError& error) {
+      facts_.end = RunEnd::failed;
+      facts_.reason = error.what();
+    }
+    return conclude();
+  }
+
+ private:
+  /// Steps until the end, writing series and frames when they are due.
+  void simulate() {
+    const double duration = case_.run.duration;
+    double row_due = 0;
+    double frame_due = 0;
+    StepReport report;
+    recorder_.after_renewal(domain_);
+    while (true) {
+      const double time = stepper_.time();
+      const bool is_over = time >= duration || backend_->fluid().size() == 0;
+      const bool is_stopped = options_.stop && *options_.stop;
+      if (time >= row_due || is_over || is_stopped) {
+        recorder_.write_row(stepper_, report, *backend_);
+        row_due = time + case_.run.series_interval;
+      }
+      if (time >= frame_due || is_over || is_stopped) {
+        frames_.write(time, backend_->fluid());
+        frame_due += case_.run.output_interval;
+      }
+      if (is_stopped && !is_over) facts_.end = RunEnd::interrupted;
+      if (is_over || is_stopped) return;
+
+      report = stepper_.step(duration - time);
+      facts_.top_speed = std::max(facts_.top_speed, report.flow.speed);
+      recorder_.after_step(stepper_.time(), backend_->fluid());
+      recorder_.after_renewal(domain_);
+      tell_progress(report);
+    }
+  }
+
+  void tell_progress(const StepReport& report) {
+    if (!options_.on_progress || seconds_since(told_) < 0.2) return;
+    told_ = Clock::now();
+    RunProgress progress{stepper_.time(),  case_.run.duration,       seconds_since(start_),
+                         stepper_.steps(), report.dt,                backend_->fluid().size(),
+                         backend_->boundary().size(), report.flow.speed, {}, {}};
+    if (!recorder_.rows().empty()) {
+      progress.front = recorder_.rows().back().front;
+      progress.volumes = recorder_.rows().back().volumes.front();
+    }
+    options_.on_progress(progress);
+  }
+
+  /// Writes maps, pictures, manifest and page of whatever was reached.
+  RunResult conclude() {
+    recorder_.finish(stepper_.time(), backend_->fluid());
+    const FlowMaps& flow = recorder_.maps();
+    const RunMaps maps{flow.depth(), flow.peak_depth(), flow.peak_speed(), flow.arrival_time()};
+    fill_facts(maps);
+    const std::vector<SeriesRow>& rows = recorder_.rows();
+    RunResult result{facts_.end, facts_.reason, folder_.index(), {}};
+    result.summary = summary_lines(facts_, case_, scene_, rows);
+    try {
+      write_maps(maps, case_, scene_, folder_);
+      auto pictures = draw_pictures(maps, rows, case_, scene_, folder_);
+      write_file_atomically(
+          folder_.index(),
+          index_html(index_page(facts_, case_, scene_, rows, std::move(pictures))));
+      write_manifest(facts_, case_, scene_, rows, folder_);
+    } catch (const RunError& error) {
+      result.end = RunEnd::failed;
+      result.reason = error.what();
+      result.summary.push_back(std::string("Outputs are incomplete: ") + error.what());
+    }
+    return result;
+  }
+
+  void fill_facts(const RunMaps& maps) {
+    facts_.wall = seconds_since(start_);
+    facts_.simulated = stepper_.time();
+    facts_.steps = stepper_.steps();
+    facts_.boundary_particles = backend_->boundary().size();
+    facts_.sound_speed = model_.state.c0;
+    facts_.resolution = resolution_guard(maps.peak_depth, model_.spacing);
+    for (const double mass : backend_->fluid().mass)
+      facts_.particle_volume += mass / model_.state.rho0;
+    for (const double depth : maps.deposit.values)
+      if (!std::isnan(depth)) facts_.raster_volume += depth * maps.deposit.grid.cell_area();
+  }
+
+  const Case& case_;
+  const Scene& scene_;
+  const RunOptions& options_;
+  FlowModel model_;
+  Ground ground_;
+  Domain domain_;
+  std::unique_ptr<Backend> backend_;
+  RunFolder folder_;
+  Recorder recorder_;
+  Frames frames_;
+  Stepper stepper_;
+  RunFacts facts_;
+  Clock::time_point start_ = Clock::now();
+  Clock::time_point told_ = start_;
+};
+
+}  // namespace
+
+RunResult run_case(const Case& c, const RunOptions& options) {
+  Faults faults;
+  const Scene scene = make_scene(c, faults);
+  faults.throw_if_any();
+  return Simulation(c, scene, options).run();
+}
+
+}  // namespace sabo

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstddef>
+
+#include "particles/particles.hpp"
+#include "terrain/ground.hpp"
+
+namespace sabo {
+
+/// The world around the flow: ground under it, an edge where particles leave.
+class Domain {
+ public:
+  explicit Domain(Ground& ground) : ground_(ground) {}
+
+  /// Takes particles that left the DEM out of `fluid`, puts those found below the ground back on it
+  /// (both are counted) and makes the ground within `reach` (m) of the rest. Called each time the
+  /// neighbour list is renewed, that is before anything has moved a tenth of a smoothing length.
+  void update(Particles& fluid, Particles& boundary, double reach);
+
+  /// Particles that left since the last call.
+  Particles take_departed();
+  /// How often a particle was found below the ground since the start.
+  std::size_t put_back_count() const { return put_back_count_; }
+  const Ground& ground() const { return ground_; }
+
+ private:
+  Ground& ground_;
+  Particles departed_;
+  std::size_t put_back_count_ = 0;
+};
+
+}  // namespace sabo

@@ -1,0 +1,35 @@
+#include "solver/flow_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sabo {
+
+FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
+                     double release_depth) {
+  const double depth = numerics.h_max.value_or(release_depth);
+  const double speed = std::max(std::sqrt(numerics.gravity * depth), numerics.reference_speed);
+  FlowModel model;
+  model.spacing = numerics.spacing;
+  model.h = numerics.h_over_dp * numerics.spacing;
+  model.state = {material.density, numerics.sound_speed_factor * speed};
+  model.gravity = {0, 0, -numerics.gravity};
+  model.rheology = material.law;
+  model.yield = material.yield;
+  model.density_diffusion = numerics.density_diffusion;
+  model.diffusion_form = numerics.diffusion_form;
+  model.artificial_viscosity = numerics.artificial_viscosity;
+  model.viscous_operator = numerics.viscous_operator;
+  model.boundary_stress = numerics.boundary_stress;
+  model.as_printed = numerics.as_printed;
+  model.threads = numerics.threads;
+  return model;
+}
+
+TimeStepRule time_step_rule(const NumericsCase& numerics, const FlowModel& model) {
+  const double viscous_cfl = numerics.viscous_cfl.value_or(
+      default_viscous_cfl(numerics.viscous_operator, numerics.as_printed));
+  return {model.h, model.state.c0, numerics.cfl, viscous_cfl};
+}
+
+}  // namespace sabo

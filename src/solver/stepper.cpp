@@ -1,0 +1,67 @@
+#include "solver/stepper.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "base/error.hpp"
+
+namespace sabo {
+
+Stepper::Stepper(Backend& backend, const TimeStepRule& rule, Domain* domain)
+    : backend_(backend), rule_(rule), domain_(domain) {
+  renew_neighbours();
+  backend_.pressure();
+  backend_.extrapolate_to_boundary();
+}
+
+StepReport Stepper::step(double longest) {
+  if (backend_.neighbours_are_stale()) renew_neighbours();
+
+  evaluate();
+  StepReport report;
+  report.flow = backend_.extremes();
+  const TimeStep step = rule_(report.flow);
+  report.dt = std::min(step.dt, longest);
+  report.limit = step.limit;
+
+  backend_.predict(report.dt);
+  evaluate();
+  backend_.correct(report.dt);
+
+  dissipated_ += report.dt * backend_.dissipation();
+  time_ += report.dt;
+  ++steps_;
+  check_health();
+  return report;
+}
+
+void Stepper::evaluate() {
+  backend_.pressure();
+  backend_.strain_and_density_rates();
+  backend_.stress();
+  backend_.momentum();
+}
+
+void Stepper::renew_neighbours() {
+  if (domain_) domain_->update(backend_.fluid(), backend_.boundary(), backend_.list_radius());
+  backend_.find_neighbours();
+}
+
+void Stepper::check_health() const {
+  const FlowHealth health = backend_.health();
+  const std::string when = " at t = " + std::to_string(time_) + " s, step " +
+                           std::to_string(steps_);
+  if (!health.is_finite)
+    throw RunError("a position, velocity or density is no longer a finite number" + when +
+                   "; try a smaller numerics.cfl and look at the last frame");
+  if (health.min_density_ratio < 1 - density_tolerance ||
+      health.max_density_ratio > 1 + density_tolerance)
+    throw RunError("the density left its range (lowest " +
+                   std::to_string(health.min_density_ratio) + ", highest " +
+                   std::to_string(health.max_density_ratio) + " of the reference, allowed 1 +- " +
+                   std::to_string(density_tolerance) + ")" + when +
+                   "; raise numerics.reference_speed to the fastest speed expected, or lower "
+                   "numerics.cfl");
+}
+
+}  // namespace sabo

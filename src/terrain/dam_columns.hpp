@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "terrain/check_dam.hpp"
+#include "terrain/ground_columns.hpp"
+#include "terrain/surface.hpp"
+
+namespace sabo {
+
+/// Upright piece of a dam, from the ground to the top.
+struct DamColumn {
+  double x = 0;
+  double y = 0;
+  double bottom = 0;  ///< elevation, m
+  double top = 0;     ///< elevation, m
+  double area = 0;    ///< in plan, m2
+};
+
+/// Columns at most `spacing` (m) apart that fill the wall, at least two across. Along the line they
+/// are spaced evenly between the corners of its plan and of its top, so that each column stands
+/// under a straight piece of crest and the volume is exact. Places outside the surface's domain and
+/// below its ground have none. Throws CaseError when no column is left, or far too many are asked.
+std::vector<DamColumn> dam_columns(const CheckDam& dam, const Surface& surface, double spacing);
+
+/// Appends the particles of a column, at most `settings.spacing` apart.
+void fill_column(const DamColumn& column, const GroundSettings& settings,
+                 std::vector<GroundPoint>& into);
+
+}  // namespace sabo

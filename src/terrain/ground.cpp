@@ -1,0 +1,187 @@
+#include "terrain/ground.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr int tile_columns = 8;  // per side
+
+/// Both tile numbers in one key; keys sort by column of tiles, then row.
+std::int64_t key_of(std::int32_t i, std::int32_t j) {
+  return (static_cast<std::int64_t>(i) << 32) | static_cast<std::uint32_t>(j);
+}
+std::int32_t column_of(std::int64_t key) { return static_cast<std::int32_t>(key >> 32); }
+std::int32_t row_of(std::int64_t key) { return static_cast<std::int32_t>(key & 0xffffffff); }
+
+/// Tiles [first, last] per axis.
+struct TileRange {
+  std::int32_t west = 0, south = 0, east = -1, north = -1;
+  friend bool operator==(const TileRange&, const TileRange&) = default;
+};
+
+/// Tile numbers that touch [low, high], kept within 32 bits.
+std::pair<std::int32_t, std::int32_t> tiles_between(double low, double high, double tile_size) {
+  constexpr double most = 1 << 30;
+  return {static_cast<std::int32_t>(std::clamp(std::floor(low / tile_size), -most, most)),
+          static_cast<std::int32_t>(std::clamp(std::floor(high / tile_size), -most, most))};
+}
+
+TileRange tiles_over(double west, double south, double east, double north, double tile_size) {
+  const auto [i_first, i_last] = tiles_between(west, east, tile_size);
+  const auto [j_first, j_last] = tiles_between(south, north, tile_size);
+  return {i_first, j_first, i_last, j_last};
+}
+
+TileRange common(const TileRange& a, const TileRange& b) {
+  return {std::max(a.west, b.west), std::max(a.south, b.south), std::min(a.east, b.east),
+          std::min(a.north, b.north)};
+}
+
+/// A cheap filter in front of an exact one: most particles ask for the tiles that another one has
+/// just asked for.
+class RecentRanges {
+ public:
+  /// Whether `range` was seen lately; remembers it.
+  bool has_seen(const TileRange& range) {
+    const auto hash = static_cast<std::uint32_t>(range.west) * 73856093U ^
+                      static_cast<std::uint32_t>(range.south) * 19349663U ^
+                      static_cast<std::uint32_t>(range.east - range.west) * 83492791U ^
+                      static_cast<std::uint32_t>(range.north - range.south) * 2654435761U;
+    TileRange& slot = slots_[hash % slots_.size()];
+    return std::exchange(slot, range) == range;
+  }
+
+ private:
+  std::vector<TileRange> slots_ = std::vector<TileRange>(1 << 14);
+};
+
+}  // namespace
+
+Ground::Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundSettings& settings)
+    : surface_(surface),
+      dams_(std::move(dams)),
+      settings_(settings),
+      columns_(surface, settings),
+      tile_size_(tile_columns * settings.spacing) {
+  for (const CheckDam& dam : dams_) {
+    for (const DamColumn& column : dam_columns(dam, surface_, settings_.spacing)) {
+      const TileRange tile = tiles_over(column.x, column.y, column.x, column.y, tile_size_);
+      dam_columns_[key_of(tile.west, tile.south)].push_back(column);
+    }
+  }
+}
+
+bool Ground::follow(const std::vector<Vec3d>& fluid, double reach, Particles& boundary) {
+  const std::vector<std::int64_t> wanted = tiles_near(fluid, reach);
+  const std::vector<Tile> dropped = drop_tiles_except(wanted);
+  if (!dropped.empty()) {
+    const auto is_dropped = [&](std::uint32_t id) {
+      const auto after =
+          std::upper_bound(dropped.begin(), dropped.end(), id,
+                           [](std::uint32_t value, const Tile& t) { return value < t.first_id; });
+      return after != dropped.begin() && id - std::prev(after)->first_id < std::prev(after)->count;
+    };
+    std::vector<std::uint32_t> kept;
+    for (std::uint32_t k = 0; k < boundary.size(); ++k) {
+      if (!is_dropped(boundary.id[k])) kept.push_back(k);
+    }
+    boundary.permute(kept);
+  }
+
+  std::vector<GroundPoint> made;
+  for (const std::int64_t key : wanted) {
+    const auto [tile, is_new] = tiles_.try_emplace(key);
+    if (!is_new) continue;
+    const std::size_t before = made.size();
+    make_tile(key, made);
+    tile->second = {next_id_ + static_cast<std::uint32_t>(before),
+                    static_cast<std::uint32_t>(made.size() - before)};
+  }
+  append(made, boundary);
+  return !dropped.empty() || !made.empty();
+}
+
+void Ground::make_all(double west, double south, double east, double north, Particles& into) {
+  const auto first = [&](double low) {
+    return static_cast<std::int64_t>(std::ceil(low / settings_.spacing - 0.5));
+  };
+  std::vector<GroundPoint> made;
+  for (std::int64_t i = first(west); i < first(east); ++i) {
+    for (std::int64_t j = first(south); j < first(north); ++j) columns_.make(i, j, false, made);
+  }
+  append(made, into);
+}
+
+/// Keys of the tiles within reach, sorted.
+std::vector<std::int64_t> Ground::tiles_near(const std::vector<Vec3d>& fluid, double reach) const {
+  const Grid& grid = surface_.elevation().grid;
+  const double margin = columns_.margin();
+  const TileRange domain = tiles_over(grid.west - margin, grid.south() - margin,
+                                      grid.east() + margin, grid.north + margin, tile_size_);
+  RecentRanges recent;
+  std::vector<std::int64_t> keys;
+  for (const Vec3d& p : fluid) {
+    if (!std::isfinite(p.x + p.y)) continue;
+    const TileRange range =
+        common(domain, tiles_over(p.x - reach, p.y - reach, p.x + reach, p.y + reach, tile_size_));
+    if (recent.has_seen(range)) continue;
+    for (std::int32_t i = range.west; i <= range.east; ++i) {
+      for (std::int32_t j = range.south; j <= range.north; ++j) keys.push_back(key_of(i, j));
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+/// Forgets the tiles that are not wanted; returns those that held particles, sorted by id.
+std::vector<Ground::Tile> Ground::drop_tiles_except(const std::vector<std::int64_t>& wanted) {
+  std::vector<Tile> dropped;
+  for (auto tile = tiles_.begin(); tile != tiles_.end();) {
+    if (std::binary_search(wanted.begin(), wanted.end(), tile->first)) {
+      ++tile;
+      continue;
+    }
+    if (tile->second.count > 0) dropped.push_back(tile->second);
+    tile = tiles_.erase(tile);
+  }
+  std::sort(dropped.begin(), dropped.end(),
+            [](const Tile& a, const Tile& b) { return a.first_id < b.first_id; });
+  return dropped;
+}
+
+void Ground::make_tile(std::int64_t key, std::vector<GroundPoint>& into) const {
+  const std::int64_t i_first = static_cast<std::int64_t>(column_of(key)) * tile_columns;
+  const std::int64_t j_first = static_cast<std::int64_t>(row_of(key)) * tile_columns;
+  for (std::int64_t i = i_first; i < i_first + tile_columns; ++i) {
+    for (std::int64_t j = j_first; j < j_first + tile_columns; ++j) {
+      columns_.make(i, j, true, into);
+    }
+  }
+  const auto dam = dam_columns_.find(key);
+  if (dam == dam_columns_.end()) return;
+  for (const DamColumn& column : dam->second) fill_column(column, settings_, into);
+}
+
+/// Adds particles at rest, numbered from the running counter.
+void Ground::append(const std::vector<GroundPoint>& points, Particles& into) {
+  if (points.size() > std::numeric_limits<std::uint32_t>::max() - next_id_) {
+    throw RunError("the boundary particles of this run cannot be numbered with 32 bits");
+  }
+  const std::size_t before = into.size();
+  into.resize(before + points.size());
+  for (std::size_t k = 0; k < points.size(); ++k) {
+    into.position[before + k] = points[k].position;
+    into.mass[before + k] = points[k].mass;
+    into.density[before + k] = settings_.density;
+    into.id[before + k] = next_id_++;
+  }
+}
+
+}  // namespace sabo

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <map>
+#include <vector>
+
+#include "particles/particles.hpp"
+#include "terrain/check_dam.hpp"
+#include "terrain/dam_columns.hpp"
+#include "terrain/ground_columns.hpp"
+#include "terrain/surface.hpp"
+
+namespace sabo {
+
+/// Boundary particles of the terrain and its dams, made only near the flow: the map is cut into
+/// square tiles of 8 x 8 lattice columns. See GroundColumns and dam_columns for their places.
+class Ground {
+ public:
+  /// Throws CaseError when a dam has no part above the ground. The surface must outlive the ground.
+  Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundSettings& settings);
+
+  /// Makes the tiles within `reach` (m, in plan) of any fluid particle and drops the others.
+  /// `boundary` holds what the last call left there, in any order and with its fields advanced by
+  /// the solver: kept particles keep all their fields. Returns whether the set changed.
+  bool follow(const std::vector<Vec3d>& fluid, double reach, Particles& boundary);
+
+  /// Appends every lattice column of the terrain whose centre lies in a rectangle, for periodic
+  /// set-ups, without dams and without columns beyond an edge of the domain. follow() knows nothing
+  /// of these particles: use one or the other.
+  void make_all(double west, double south, double east, double north, Particles& into);
+
+  /// Whether a point of the domain is below the ground or inside a dam.
+  bool is_solid(const Vec3d& point) const;
+
+  /// Nearest point outside the solid, for a particle found inside it.
+  Vec3d pushed_out(const Vec3d& point) const;
+
+  const Surface& surface() const { return surface_; }
+  const std::vector<CheckDam>& dams() const { return dams_; }
+  std::size_t tile_count() const { return tiles_.size(); }
+
+ private:
+  /// Particles of one tile: a run of ids.
+  struct Tile {
+    std::uint32_t first_id = 0;
+    std::uint32_t count = 0;
+  };
+
+  std::vector<std::int64_t> tiles_near(const std::vector<Vec3d>& fluid, double reach) const;
+  std::vector<Tile> drop_tiles_except(const std::vector<std::int64_t>& wanted);
+  void make_tile(std::int64_t key, std::vector<GroundPoint>& into) const;
+  void append(const std::vector<GroundPoint>& points, Particles& into);
+
+  bool is_in_dam(const Vec3d& point) const;
+  Vec3d out_of_ground(const Vec3d& point) const;
+  Vec3d out_of_dam(const CheckDam& dam, const Vec3d& point) const;
+  Vec3d lifted(Vec3d point) const;
+
+  const Surface& surface_;
+  std::vector<CheckDam> dams_;
+  GroundSettings settings_;
+  GroundColumns columns_;
+  double tile_size_;
+  std::map<std::int64_t, std::vector<DamColumn>> dam_columns_;  // by tile
+  std::map<std::int64_t, Tile> tiles_;
+  std::uint32_t next_id_ = 0;
+};
+
+}  // namespace sabo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "particles/particles.hpp"
+#include "terrain/polyline.hpp"
+#include "terrain/raster.hpp"
+#include "terrain/surface.hpp"
+
+namespace sabo {
+
+/// The mass that starts to move, as a thickness on the ground.
+struct ReleaseShape {
+  std::function<double(double x, double y)> thickness;  ///< vertical, m; 0 outside
+  double west = 0, south = 0, east = 0, north = 0;      ///< rectangle that holds it
+  double volume = 0;                                    ///< m3
+};
+
+/// Constant thickness (m) over polygons that do not overlap.
+ReleaseShape release_of(std::vector<Polygon> polygons, double thickness);
+
+/// Thickness (m) cell by cell; none where the raster has no data or is negative.
+ReleaseShape release_of(Raster thickness);
+
+/// The same shape with its thickness taken as normal to the ground: vertical thickness is that over
+/// the z of the ground's unit normal. The volume is integrated with steps of a quarter `spacing`.
+/// The surface must outlive the shape.
+ReleaseShape made_vertical(const ReleaseShape& shape, const Surface& surface, double spacing);
+
+/// The same shape with its thickness scaled so that it holds `volume` (m3).
+ReleaseShape scaled_to(const ReleaseShape& shape, double volume);
+
+struct ReleaseSettings {
+  double spacing = 1;     ///< particle spacing, m
+  double density = 1000;  ///< reference density, kg/m3
+  Frame frame;            ///< of the surface, so that errors name CRS coordinates
+};
+
+/// Fills a release with particles at rest: on each column of the horizontal lattice (centres at
+/// odd multiples of half a spacing) round(thickness / spacing) of them, the lowest half a spacing
+/// above the ground. All masses are equal and sum up to volume x density; ids count from 0. Throws
+/// CaseError where the release lies outside the DEM, when it has no particle, or too many.
+Particles released(const Surface& surface, const ReleaseShape& shape,
+                   const ReleaseSettings& settings);
+
+/// Particles for a list of points, each the centre of `point_volume` (m3). If the spacing is the
+/// side of that cube, to 1e-6 m, they are the particles; otherwise the sites above the ground of a
+/// cubic lattice that lie in any of the cubes are. Masses, ids and errors as above.
+Particles released(const Surface& surface, const std::vector<Vec3d>& points, double point_volume,
+                   const ReleaseSettings& settings);
+
+}  // namespace sabo

@@ -1,0 +1,145 @@
+#include "case_file/support.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+namespace sabo {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+/// Faults of the smallest case with the keys of [release], which start at line 4, replaced.
+std::vector<std::string> release(const std::string& keys) {
+  return messages(with(smallest_case, "polygon = \"release.gpkg\"\nvolume = 100\n", keys));
+}
+
+/// Faults of the smallest case with a dam, whose keys start at line 12.
+std::vector<std::string> dam(const std::string& keys) {
+  return messages(smallest_case + "[[structure]]\nthickness = 3\n" + keys);
+}
+
+TEST(Rules, OneWayOfRelease) {
+  EXPECT_THAT(release(""), ElementsAre("case.toml:3 release: nothing is released; "
+                                       "give one of polygon, thickness_raster and points"));
+  EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = 1\npoints = \"points.txt\"\n"),
+              ElementsAre("case.toml:3 release: the release is given in more than one way; "
+                          "give one of polygon, thickness_raster and points"));
+}
+
+TEST(Rules, PolygonHasThicknessOrVolume) {
+  EXPECT_THAT(release("polygon = \"release.gpkg\"\n"),
+              ElementsAre("case.toml:4 release.polygon: has no thickness and no volume; "
+                          "give one of the two"));
+  EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = 1\nthickness = 1\n"),
+              ElementsAre("case.toml:4 release.polygon: has a thickness and a volume; "
+                          "give one of the two"));
+  EXPECT_THAT(release("polygon = [[0, 0], [1, 0], [1, 1]]\nthickness = 1\nnormal = true\n"),
+              IsEmpty());
+}
+
+TEST(Rules, PolygonHasThreeCorners) {
+  EXPECT_THAT(release("polygon = [[0, 0], [1, 0]]\nvolume = 1\n"),
+              ElementsAre("case.toml:4 release.polygon: has fewer than three points; "
+                          "give three or more"));
+}
+
+TEST(Rules, AFaultyKeyCountsAsGiven) {
+  EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = -1\n"),
+              ElementsAre("case.toml:5 release.volume: -1 is out of range; "
+                          "give a number above 0, at most 1e12 m3"));
+}
+
+TEST(Rules, RasterTakesAVolumeButNoThickness) {
+  EXPECT_THAT(release("thickness_raster = \"release.tif\"\n"), IsEmpty());
+  EXPECT_THAT(release("thickness_raster = \"release.tif\"\nvolume = 1\n"), IsEmpty());
+  EXPECT_THAT(release("thickness_raster = \"release.tif\"\nthickness = 1\n"),
+              ElementsAre("case.toml:5 release.thickness: applies to a polygon only; remove it"));
+}
+
+TEST(Rules, PointsStandAlone) {
+  EXPECT_THAT(release("points = \"points.txt\"\npoint_volume = 2\npoints_offset = [1, 2, 3]\n"),
+              IsEmpty());
+  EXPECT_THAT(release("points = \"points.txt\"\nthickness = 1\nvolume = 1\nnormal = true\n"),
+              ElementsAre("case.toml:5 release.thickness: applies to a polygon only; remove it",
+                          "case.toml:6 release.volume: does not apply to points; "
+                          "remove it; each point stands for point_volume",
+                          "case.toml:7 release.normal: does not apply to points; remove it"));
+}
+
+TEST(Rules, KeysOfPointsNeedPoints) {
+  EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = 1\npoint_volume = 2\n"
+                      "points_offset = [1, 0, 0]\n"),
+              ElementsAre("case.toml:6 release.point_volume: applies to points only; remove it",
+                          "case.toml:7 release.points_offset: applies to points only; remove it"));
+}
+
+TEST(Rules, CropHasAnInside) {
+  EXPECT_THAT(messages(with(smallest_case, "[release]", "crop = [5, 0, 5, 10]\n[release]")),
+              ElementsAre("case.toml:3 terrain.crop: the window is empty; "
+                          "give [west, south, east, north]"));
+}
+
+TEST(Rules, KindOfStructure) {
+  EXPECT_THAT(dam("line = \"dam.gpkg\"\nkind = \"net\"\n"),
+              ElementsAre("case.toml:14 structure[1].kind: \"net\" is not known; "
+                          "give \"check_dam\""));
+}
+
+TEST(Rules, DamHasOneCrest) {
+  EXPECT_THAT(dam("line = \"dam.gpkg\"\ncrest = 20\n"), IsEmpty());
+  EXPECT_THAT(dam("line = \"dam.gpkg\"\n"), IsEmpty());  // its file may have z
+  EXPECT_THAT(dam("line = [[0, 0, 9], [1, 0, 9]]\n"), IsEmpty());
+  EXPECT_THAT(dam("line = \"dam.gpkg\"\ncrest = 20\nheight = 8\n"),
+              ElementsAre("case.toml:11 structure[1]: has a crest and a height; "
+                          "give one of the two"));
+  EXPECT_THAT(dam("line = [[0, 0], [1, 0]]\n"),
+              ElementsAre("case.toml:11 structure[1]: has no crest; "
+                          "give crest, height, or a line with z"));
+  EXPECT_THAT(dam("line = [[0, 0, 9], [1, 0, 9]]\nheight = 8\n"),
+              ElementsAre("case.toml:14 structure[1].height: the z of the line is the crest "
+                          "already; remove one of the two"));
+}
+
+TEST(Rules, NotchLiesInTheDam) {
+  EXPECT_THAT(dam("line = [[0, 0], [30, 40]]\nheight = 8\n"
+                  "notch = {centre = 51, width = 4, depth = 9}\n"),
+              ElementsAre("case.toml:15 structure[1].notch.depth: the notch is deeper than the dam "
+                          "is high; give at most 8 m",
+                          "case.toml:15 structure[1].notch.centre: lies beyond the end of the "
+                          "line; give a distance along the line, at most 50 m"));
+  EXPECT_THAT(dam("line = [[0, 0], [30, 40]]\nheight = 8\n"
+                  "notch = {centre = 25, width = 4, depth = 1.5}\n"),
+              IsEmpty());
+}
+
+TEST(Rules, LinesHaveALength) {
+  EXPECT_THAT(messages(smallest_case + "[path]\nline = [[1, 1], [1, 1]]\n"),
+              ElementsAre("case.toml:12 path.line: all its points are at one place; "
+                          "give a line of some length"));
+}
+
+TEST(Rules, NamesAreUnique) {
+  EXPECT_THAT(messages(smallest_case + "[[section]]\nname = \"a\"\nline = \"path.gpkg\"\n"
+                                       "[[section]]\nname = \"a\"\nline = \"path.gpkg\"\n"),
+              ElementsAre("case.toml:15 section[2].name: \"a\" is the name of section[1] too; "
+                          "give each its own name"));
+}
+
+TEST(Rules, WithoutGravityASpeedIsNeeded) {
+  EXPECT_THAT(messages(smallest_case + "gravity = 0\n"),
+              ElementsAre("case.toml:8 numerics.reference_speed: without gravity nothing else sets "
+                          "the sound speed; give a number above 0"));
+  EXPECT_THAT(messages(smallest_case + "gravity = 0\nreference_speed = 1\n"), IsEmpty());
+}
+
+TEST(Rules, OutputsAreNotWithoutBound) {
+  EXPECT_THAT(messages(with(smallest_case, "duration = 10",
+                            "duration = 1e6\noutput_interval = 1\nseries_interval = 0.01")),
+              ElementsAre("case.toml:8 run.output_interval: makes more than 100000 outputs; "
+                          "give at least 10 s",
+                          "case.toml:9 run.series_interval: makes more than 1e7 outputs; "
+                          "give at least 0.1 s"));
+}
+
+}  // namespace
+}  // namespace sabo

@@ -1,0 +1,155 @@
+#include "case_file/support.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck/gtest.h>
+
+#include "io/case_file/models.hpp"
+#include "io/case_file/write_case.hpp"
+
+namespace sabo {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+double number(double low, double high) {
+  constexpr int steps = 1 << 30;
+  return low + (high - low) * *rc::gen::inRange(0, steps + 1) / steps;
+}
+std::string text() {
+  static const std::vector<std::string> pieces{"a", "e9", "`", " ",  "\"", "\\",
+                                               "#", "'",  "é", "沢", "=",  "]"};
+  std::string result;
+  for (const std::string& piece :
+       *rc::gen::container<std::vector<std::string>>(rc::gen::elementOf(pieces))) {
+    result += piece;
+  }
+  return result;
+}
+bool chance() { return *rc::gen::arbitrary<bool>(); }
+
+LineSource line(std::size_t least_points, bool has_z) {
+  if (chance()) return {folder_with_files() / "path.gpkg", {}, false};
+  LineSource result;
+  result.has_z = has_z;
+  const auto count = least_points + static_cast<std::size_t>(*rc::gen::inRange(0, 4));
+  for (std::size_t i = 0; i < count; ++i) {
+    const double z = has_z ? number(-10, 3000) : 0;
+    result.coordinates.push_back({static_cast<double>(i) + number(0, 0.5), number(-1e7, 1e7), z});
+  }
+  return result;
+}
+
+StructureCase structure(const std::string& name) {
+  StructureCase dam;
+  dam.name = name;
+  const bool has_z = chance();
+  dam.line = line(2, has_z);
+  dam.thickness = number(0.1, 20);
+  if (!dam.line.has_z) (chance() ? dam.crest : dam.height) = number(3, 100);
+  if (chance()) dam.notch = NotchCase{0, number(0.1, 9), number(0.1, 2), number(0, 3)};
+  return dam;
+}
+
+/// Sets every number of a described struct within its range.
+struct Randomise {
+  void operator()(const Key& key, double& member) const {
+    member = number(key.min_is_open ? key.min + 1e-3 : key.min, std::min(key.max, key.min + 50));
+  }
+  template <class T>
+  void operator()(const Key&, T&) const {}
+};
+
+Case arbitrary_case() {
+  Case c;
+  c.folder = folder_with_files();
+  c.title = text();
+  c.note = text();
+  c.terrain.dem = c.folder / "dem.tif";
+  c.terrain.assume_metres = chance();
+  if (chance()) c.terrain.crop = {{number(-9, 0), number(-9, 0), number(1, 9), number(1, 9)}};
+  c.release.polygon = line(3, chance());
+  (chance() ? c.release.thickness : c.release.volume) = number(0.1, 10);
+  c.release.normal = chance();
+  c.material.law = *rc::gen::elementOf(all_rheologies());
+  std::visit([](auto& law) { law.describe(Randomise{}); }, c.material.law);
+  if (has_yield(c.material.law)) c.material.yield.describe(Randomise{});
+  for (int i = 0; i < *rc::gen::inRange(0, 3); ++i) {
+    c.structures.push_back(structure("dam " + std::to_string(i)));
+    c.sections.push_back({text() + std::to_string(i), line(2, false)});
+  }
+  if (chance()) c.path.line = line(2, chance());
+  if (chance()) c.references.push_back({"a " + text(), number(0, 9), std::nullopt, number(0, 9)});
+  c.numerics.describe(Randomise{});
+  c.numerics.reference_speed += 0.1;  // for the case without gravity
+  c.numerics.viscous_operator = chance() ? ViscousOperator::nested : ViscousOperator::morris;
+  c.numerics.threads = *rc::gen::inRange(0, 9);
+  c.run.describe(Randomise{});
+  return c;
+}
+
+RC_GTEST_PROP(WriteCase, ReadingItBackGivesTheSameCase, ()) {
+  const Case c = arbitrary_case();
+  const std::string text = write_case(c);
+  Faults faults;
+  const Case back = read_case_text(text, "/", faults);
+  for (const Fault& fault : faults.list()) RC_FAIL(to_string(fault));
+  RC_ASSERT(write_case(back) == text);
+  // The text could leave something out on both ways; a few members are compared themselves.
+  RC_ASSERT(back.title == c.title);
+  RC_ASSERT(back.numerics.spacing == c.numerics.spacing);
+  RC_ASSERT(back.numerics.viscous_operator == c.numerics.viscous_operator);
+  RC_ASSERT(back.material.law.index() == c.material.law.index());
+  RC_ASSERT(back.material.yield.cohesion == c.material.yield.cohesion);
+  RC_ASSERT(back.release.polygon.coordinates == c.release.polygon.coordinates);
+  RC_ASSERT(back.structures.size() == c.structures.size());
+  RC_ASSERT(back.terrain.crop == c.terrain.crop);
+}
+
+TEST(WriteCase, KeysHaveTheirHelpAndRange) {
+  Case c;
+  c.numerics.spacing = 0.75;
+  c.release.volume = 8863;
+  const std::string text = write_case(c);
+  EXPECT_THAT(text, HasSubstr("# internal friction angle phi (a number from 0 to 60 deg)\n"
+                              "friction_angle = 0\n"));
+  EXPECT_THAT(text, HasSubstr("\n[numerics]\n"));
+  EXPECT_THAT(text, HasSubstr("\nspacing = 0.75\n"));
+  EXPECT_THAT(text, HasSubstr("\nvolume = 8863\n"));
+  EXPECT_THAT(text, HasSubstr("\n#thickness =\n"));
+  EXPECT_THAT(text, HasSubstr("\n#[[structure]]\n"));
+}
+
+TEST(WriteCase, LinesAreNotLong) {
+  std::istringstream lines(defaults_text());
+  for (std::string one; std::getline(lines, one);) EXPECT_LE(one.size(), 100u) << one;
+}
+
+TEST(WriteCase, DefaultsLackOnlyWhatIsRequired) {
+  EXPECT_THAT(messages(defaults_text()), ElementsAre(HasSubstr("terrain.dem: is missing"),
+                                                     HasSubstr("numerics.spacing: is missing"),
+                                                     HasSubstr("run.duration: is missing"),
+                                                     HasSubstr("release: nothing is released")));
+}
+
+TEST(KeysMarkdown, HasEveryTableAndRheology) {
+  const std::string text = keys_markdown();
+  EXPECT_THAT(text, HasSubstr("## `[numerics]`\n\nThe method.\n"));
+  EXPECT_THAT(text, HasSubstr("## `[[structure]]`"));
+  EXPECT_THAT(text, HasSubstr("## `[structure.notch]`"));
+  EXPECT_THAT(text, HasSubstr("| `spacing` | required | a number from 1e-6 to 10000 m |"));
+  EXPECT_THAT(text, HasSubstr("### `rheology = \"general_cross\"`"));
+  EXPECT_THAT(text, HasSubstr("| `time_constant` | `1` | a number from 0 to 1e9 s |"));
+}
+
+TEST(Models, ListsEveryLawWithItsKeys) {
+  const std::string text = models_text();
+  for (const Rheology& law : all_rheologies()) {
+    EXPECT_THAT(text, HasSubstr("rheology = \"" + std::string(name_of(law)) + "\": "));
+  }
+  EXPECT_THAT(text, HasSubstr("  cohesion             0       yield stress without normal stress\n"
+                              "                               a number from 0 to 1e9 Pa\n"));
+}
+
+}  // namespace
+}  // namespace sabo

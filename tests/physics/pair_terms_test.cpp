@@ -1,0 +1,77 @@
+#include <gtest/gtest.h>
+
+#include "physics/pair/density.hpp"
+#include "physics/pair/forces.hpp"
+#include "physics/pair/strain_rate.hpp"
+
+namespace sabo {
+namespace {
+
+// A pair at distance 5 along (3, 0, 4) with F = -2, so that every term is a hand calculation.
+const PairGeometry<double> pair{{3, 0, 4}, 25, -2};
+
+TEST(Continuity, ApproachingParticlesGainDensity) {
+  EXPECT_DOUBLE_EQ(continuity(pair, Vec3d{-1, 7, 0}, 10.0), 10 * -2 * -3);
+  EXPECT_DOUBLE_EQ(continuity(pair, Vec3d{0, 7, 0}, 10.0), 0);  // sliding past changes nothing
+}
+
+TEST(DensityDiffusion, SmoothsAndNeverSharpens) {
+  const DensityDiffusion<double> diffusion{0.5, 0.0, {}};
+  // 0.5 m (rho_i/rho_j - 1) F with rho_i/rho_j = 1.2/1.0
+  EXPECT_NEAR(diffusion(pair, 0.2, 0.0, 10.0), 0.5 * 10 * 0.2 * -2, 1e-12);
+  EXPECT_GT(diffusion(pair, 0.0, 0.2, 10.0), 0);
+  EXPECT_EQ(diffusion(pair, 0.1, 0.1, 10.0), 0);
+}
+
+TEST(DensityDiffusion, LeavesTheGradientOfAFluidAtRestAlone) {
+  const DensityDiffusion<double> diffusion{0.5, 0.0, {0, 0, -0.05}};
+  EXPECT_NEAR(diffusion(pair, 0.0, 0.2, 10.0), 0, 1e-15);  // i is 4 m higher, 0.05 per m
+}
+
+TEST(StrainRate, IsTheSymmetrisedDyadOfVelocityAndGradient) {
+  // -V F = 2 x 0.5 = 1: v (x) x + x (x) v with v = (1, 2, 0), x = (3, 0, 4)
+  const Sym3<double> eps = strain_rate(pair, Vec3d{1, 2, 0}, 0.5);
+  EXPECT_EQ(eps, (Sym3<double>{6, 6, 4, 0, 8, 0}));
+}
+
+TEST(StrainRate, SimpleShearHasTheEngineeringRate) {
+  EXPECT_DOUBLE_EQ(shear_rate(Sym3<double>{0, 0, 3, 0, 0, 0}), 3);   // du/dz = 3
+  EXPECT_DOUBLE_EQ(shear_rate(Sym3<double>{2, 0, 0, 0, 0, -2}), 2);  // pure shear, e = 1
+}
+
+TEST(StressForce, PressurePushesApartAndIsAntisymmetric) {
+  const Sym3<double> s_i = isotropic(-3.0), s_j = isotropic(-1.0);
+  EXPECT_EQ(stress_force(pair, s_i, s_j, 0.5), (Vec3d{12, 0, 16}));  // 0.5 x -2 x -4 x
+  const PairGeometry<double> reversed{{-3, 0, -4}, 25, -2};
+  EXPECT_EQ(stress_force(reversed, s_j, s_i, 0.5), (Vec3d{-12, 0, -16}));
+}
+
+TEST(StressForce, ShearStressPullsAlong) {
+  const Sym3<double> s{0, 0, 1, 0, 0, 0};  // xz
+  EXPECT_EQ(stress_force(pair, s, Sym3<double>{}, 1.0), (Vec3d{-8, 0, -6}));
+}
+
+TEST(MorrisForce, OpposesTheVelocityDifference) {
+  // 2 mu m/(rho rho) F r2/(r2 + 0) = 2 x 3 x 0.1 x -2
+  const Vec3d a = morris_force(pair, Vec3d{1, -2, 0}, 3.0, 0.1, 0.0);
+  EXPECT_NEAR(a.x, -1.2, 1e-15);
+  EXPECT_NEAR(a.y, 2.4, 1e-15);
+  EXPECT_EQ(a.z, 0);
+}
+
+TEST(PairViscosity, IsTheHarmonicMean) {
+  EXPECT_DOUBLE_EQ(pair_viscosity(2.0, 6.0), 3);
+  EXPECT_EQ(pair_viscosity(0.0, 6.0), 0);
+  EXPECT_EQ(pair_viscosity(0.0, 0.0), 0);
+}
+
+TEST(ArtificialForce, ActsOnApproachOnly) {
+  EXPECT_EQ(artificial_force(pair, Vec3d{1, 0, 0}, 5.0, 0.1, 0.0), (Vec3d{0, 0, 0}));
+  const Vec3d a = artificial_force(pair, Vec3d{-1, 0, 0}, 5.0, 0.1, 0.0);
+  // 5 x 0.1 x -2 x -3 / 25 = 0.12 along x_ij: apart
+  EXPECT_NEAR(a.x, 0.36, 1e-15);
+  EXPECT_NEAR(a.z, 0.48, 1e-15);
+}
+
+}  // namespace
+}  // namespace sabo

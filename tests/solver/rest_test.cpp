@@ -1,0 +1,109 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "base/error.hpp"
+#include "support/scenes.hpp"
+
+namespace sabo {
+namespace {
+
+using test::Layer;
+using test::make_hydrostatic;
+
+constexpr double g = 9.81;
+
+Layer still_water(int dimension, int cells) {
+  Layer layer;
+  layer.model.dimension = dimension;
+  layer.cells = cells;
+  layer.model.spacing = 1.0 / cells;
+  layer.model.h = 1.5 * layer.model.spacing;
+  layer.model.state = {1000, 10 * std::sqrt(g)};
+  layer.model.gravity = {0, 0, -g};
+  layer.model.rheology = Newtonian{1};
+  layer.model.threads = 1;
+  return layer;
+}
+
+/// Relative L2 error of the pressure against rho0 g (surface - z).
+double pressure_error(Backend& backend, double surface) {
+  backend.pressure();
+  double difference = 0, norm = 0;
+  const Particles& fluid = backend.fluid();
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    const double exact = 1000 * g * (surface - fluid.position[i].z);
+    difference += (fluid.pressure[i] - exact) * (fluid.pressure[i] - exact);
+    norm += exact * exact;
+  }
+  return std::sqrt(difference / norm);
+}
+
+TEST(Rest, AColumnKeepsItsHydrostaticPressure) {
+  for (const int dimension : {2, 3}) {
+    Layer layer = still_water(dimension, 20);
+    auto backend = layer.make();
+    make_hydrostatic(*backend, g, 1.0);
+    Stepper stepper(*backend, layer.rule, nullptr);
+    while (stepper.time() < (dimension == 2 ? 3 : 0.5)) stepper.step();
+    double top = 0, fastest = 0;
+    for (std::size_t i = 0; i < backend->fluid().size(); ++i) {
+      top = std::max(top, backend->fluid().position[i].z);
+      fastest = std::max(fastest, norm(backend->fluid().velocity[i]));
+    }
+    EXPECT_LT(pressure_error(*backend, top + 0.5 * layer.model.spacing), 0.1) << dimension;
+    EXPECT_NEAR(top, 0.975, 0.5 * layer.model.spacing) << dimension;
+    EXPECT_LT(fastest, 0.02 * std::sqrt(g)) << dimension;
+  }
+}
+
+TEST(Rest, EnergyIsNotMadeFromNothing) {
+  Layer layer = still_water(2, 12);
+  auto backend = layer.make();  // not hydrostatic: it falls a little and comes to rest
+  Stepper stepper(*backend, layer.rule, nullptr);
+  while (stepper.time() < 1) stepper.step();
+  EXPECT_GT(stepper.dissipated(), 0);
+}
+
+TEST(FreeFall, KeepsToTheParabola) {
+  FlowModel model;
+  model.spacing = 0.1;
+  model.h = 0.15;
+  model.state = {1000, 10};
+  model.rheology = Newtonian{1};
+  model.threads = 1;
+  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+    auto backend = make_backend(kind, model);
+    test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
+    for (Vec3d& v : backend->fluid().velocity) v = {3, 0, 1};
+    const Vec3d start = backend->fluid().position[0];
+    const std::uint32_t id = backend->fluid().id[0];
+    Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+    while (stepper.time() < 0.5) stepper.step(0.5 - stepper.time());
+    for (std::size_t i = 0; i < backend->fluid().size(); ++i) {
+      if (backend->fluid().id[i] != id) continue;
+      const Vec3d d = backend->fluid().position[i] - start;
+      EXPECT_NEAR(d.x, 3 * 0.5, 1e-5);
+      EXPECT_NEAR(d.z, 0.5 - g * 0.125, 1e-5);
+    }
+  }
+}
+
+TEST(Stepper, StopsWhenTheDensityLeavesItsRange) {
+  FlowModel model;
+  model.spacing = 0.1;
+  model.h = 0.15;
+  model.state = {1000, 10};
+  model.rheology = Newtonian{1};
+  model.threads = 1;
+  auto backend = make_backend(BackendKind::cpu, model);
+  test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
+  for (std::size_t i = 0; i < backend->fluid().size(); ++i)  // implodes at Mach 1
+    backend->fluid().velocity[i] = -10.0 * (backend->fluid().position[i] - Vec3d{0.2, 0.2, 0.2}) * 5.0;
+  Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+  EXPECT_THROW(
+      for (int k = 0; k < 200; ++k) stepper.step(), RunError);
+}
+
+}  // namespace
+}  // namespace sabo
