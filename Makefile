@@ -23,7 +23,7 @@ build:
 demo: build
 	@mkdir -p runs
 	test -d $(DEMO_CASE) || build/release/src/sabo new yohutagawa $(DEMO_CASE)
-	build/release/src/sabo run $(DEMO_CASE) -o $(DEMO_RUN) --spacing 1.5 --duration 120
+	build/release/src/sabo run $(DEMO_CASE) -o $(DEMO_RUN) --overwrite --spacing 1.5 --duration 120
 	@echo 'Open $(DEMO_RUN)/index.html in a browser.'
 
 test: build

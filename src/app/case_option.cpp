@@ -9,7 +9,6 @@
 #include <string_view>
 #include <type_traits>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

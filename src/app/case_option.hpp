@@ -3,11 +3,9 @@
 #include <string>
 #include <vector>
 
-#include "io/case_file/read_case.hpp"
+#include <CLI/App.hpp>
 
-namespace CLI {
-class App;
-}
+#include "io/case_file/read_case.hpp"
 
 namespace sabo {
 

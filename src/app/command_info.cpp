@@ -1,6 +1,5 @@
 #include <memory>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "app/commands.hpp"

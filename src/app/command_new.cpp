@@ -3,7 +3,6 @@
 #include <memory>
 #include <set>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 

@@ -1,7 +1,6 @@
 #include <filesystem>
 #include <memory>
 
-#include <CLI/App.hpp>
 #include <fmt/format.h>
 
 #include "app/case_option.hpp"

@@ -3,19 +3,11 @@
 #include <functional>
 #include <string>
 
-namespace CLI {
-class App;
-}
+#include <CLI/App.hpp>
+
+#include "app/exit_code.hpp"
 
 namespace sabo {
-
-/// What the program ends with.
-enum ExitCode : int {
-  exit_done = 0,
-  exit_case_is_wrong = 2,
-  exit_run_failed = 3,
-  exit_stopped = 130
-};
 
 /// What a command line asks for.
 struct Action {

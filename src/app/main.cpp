@@ -1,3 +1,4 @@
+#include <cstdio>
 #include <exception>
 #include <new>
 #include <string>
@@ -35,23 +36,9 @@ void describe_program(CLI::App& program, Action& action) {
   add_models_command(program, action);
 }
 
-int carry_out(const Action& action) {
-  try {
-    return action.carry_out();
-  } catch (const CaseError& error) {
-    print_faults(action.subject, error.faults());
-    return exit_case_is_wrong;
-  } catch (const std::bad_alloc&) {
-    print_error("not enough memory; try a larger numerics.spacing or a smaller terrain.crop");
-  } catch (const std::exception& error) {  // RunError among them
-    print_error(error.what());
-  }
-  return exit_run_failed;
-}
-
-int run_program(int argc, char** argv) {
+/// Throws what the command throws.
+int run_program(int argc, char** argv, Action& action) {
   CLI::App program("Debris flows in three dimensions, from a DEM to a deposit map");
-  Action action;
   describe_program(program, action);
   if (argc < 2) {
     fmt::print("{}", program.help());
@@ -69,10 +56,26 @@ int run_program(int argc, char** argv) {
     print_error(explained(program, error));
     return exit_case_is_wrong;
   }
-  return carry_out(action);
+  const int code = action.carry_out();
+  if (std::fflush(stdout) != 0) throw RunError("cannot write to the standard output");
+  return code;
 }
 
 }  // namespace
 }  // namespace sabo
 
-int main(int argc, char** argv) { return sabo::run_program(argc, argv); }
+// NOLINTNEXTLINE(bugprone-exception-escape): only if an error cannot even be printed
+int main(int argc, char** argv) {
+  sabo::Action action;
+  try {
+    return sabo::run_program(argc, argv, action);
+  } catch (const sabo::CaseError& error) {
+    sabo::print_faults(action.subject, error.faults());
+    return sabo::exit_case_is_wrong;
+  } catch (const std::bad_alloc&) {
+    sabo::print_error("not enough memory; try a larger numerics.spacing or a smaller terrain.crop");
+  } catch (const std::exception& error) {  // RunError among them
+    sabo::print_error(error.what());
+  }
+  return sabo::exit_run_failed;
+}

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -68,9 +69,9 @@ std::string progress_text(const RunProgress& progress, const Pace& pace, bool ha
   const auto room = static_cast<std::size_t>(std::max(0, width));
   std::string text;
   for (const std::string& part : parts_of(progress, pace, has_dam)) {
-    const std::string longer = text.empty() ? part : text + "  " + part;
-    if (longer.size() > room) break;
-    text = longer;
+    const std::string_view gap = text.empty() ? "" : "  ";
+    if (text.size() + gap.size() + part.size() > room) break;
+    text.append(gap).append(part);
   }
   return text;
 }

@@ -5,7 +5,7 @@
 
 #include <unistd.h>
 
-#include "app/commands.hpp"
+#include "app/exit_code.hpp"
 
 namespace sabo {
 namespace {

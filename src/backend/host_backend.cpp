@@ -1,10 +1,10 @@
 #include "backend/host_backend.hpp"
 
-#include <omp.h>
-
 #include <algorithm>
 #include <cmath>
 #include <variant>
+
+#include <omp.h>
 
 #include "physics/pair/strain_rate.hpp"
 
@@ -49,7 +49,7 @@ void HostBackend::pressure() {
   const Tait state = model_.state;
   for (Particles* particles : {&fluid_, &boundary_}) {
     const Index count = static_cast<Index>(particles->size());
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(threads_) if (count > worth_threads) schedule(static)
     for (Index i = 0; i < count; ++i)
       particles->pressure[i] = state.pressure(particles->density[i]);
   }
@@ -62,7 +62,7 @@ void HostBackend::stress_of(const Law& law, Particles& particles, std::size_t of
   const double slope = yield.slope();
   const double convention = model_.strain_convention();  // in the shear rate and in the stress
   const Index count = static_cast<Index>(particles.size());
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(threads_) if (count > worth_threads) schedule(static)
   for (Index i = 0; i < count; ++i) {
     const Sym3<double>& eps = strain_[offset + i];
     const double p = particles.pressure[i];
@@ -105,8 +105,7 @@ void HostBackend::extrapolate_to_boundary() {
         weight += w;
         pressure += w * (fluid_.pressure[j] + fluid_.density[j] * dot(model_.gravity, x));
       }
-      if (weight > 0)
-        boundary_.density[b] = model_.state.density(std::max(0.0, pressure / weight));
+      if (weight > 0) boundary_.density[b] = model_.state.density(std::max(0.0, pressure / weight));
     }
   }
 }
@@ -116,8 +115,9 @@ FlowExtremes HostBackend::extremes() const {
   double acceleration2 = 0;
   double viscosity = 0;
   const Index count = static_cast<Index>(fluid_.size());
-#pragma omp parallel for num_threads(threads_) schedule(static) \
-    reduction(max : speed2, acceleration2, viscosity)
+#pragma omp parallel for num_threads(threads_) if (count > worth_threads) schedule(static) \
+    reduction(max                                                                          \
+              : speed2, acceleration2, viscosity)
   for (Index i = 0; i < count; ++i) {
     // A particle in free flight interacts with nobody: it must not set everybody's step.
     if (!has_neighbours_[i]) continue;
@@ -133,7 +133,7 @@ FlowHealth HostBackend::health() const {
   double highest = model_.state.rho0;
   bool is_finite = true;
   const Index count = static_cast<Index>(fluid_.size());
-#pragma omp parallel for num_threads(threads_) schedule(static) \
+#pragma omp parallel for num_threads(threads_) if (count > worth_threads) schedule(static) \
     reduction(min : lowest) reduction(max : highest) reduction(&& : is_finite)
   for (Index i = 0; i < count; ++i) {
     const Vec3d& x = fluid_.position[i];
@@ -163,14 +163,14 @@ void HostBackend::predict(double dt) {
   const double half = 0.5 * dt;
   const double rho0 = model_.state.rho0;
   const Index fluids = static_cast<Index>(fluid_.size());
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(threads_) if (fluids > worth_threads) schedule(static)
   for (Index i = 0; i < fluids; ++i) {
     fluid_.position[i] += half * fluid_.velocity[i];
     fluid_.velocity[i] += half * acceleration_[i];
     fluid_.density[i] += half * density_rate_[i];
   }
   const Index walls = static_cast<Index>(boundary_.size());
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(threads_) if (walls > worth_threads) schedule(static)
   for (Index i = 0; i < walls; ++i)
     boundary_.density[i] = std::max(rho0, boundary_.density[i] + half * density_rate_[fluids + i]);
 }
@@ -184,7 +184,7 @@ void HostBackend::correct(double dt) {
     return start * (2 + k) / (2 - k);
   };
   const Index fluids = static_cast<Index>(fluid_.size());
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(threads_) if (fluids > worth_threads) schedule(static)
   for (Index i = 0; i < fluids; ++i) {
     const Vec3d velocity = start_velocity_[i] + dt * acceleration_[i];
     fluid_.position[i] = start_position_[i] + (0.5 * dt) * (start_velocity_[i] + velocity);
@@ -194,10 +194,10 @@ void HostBackend::correct(double dt) {
   // A wall that remembers suction would hold the flow back: boundary density stays at or above
   // its reference (as in dynamic boundary codes since Crespo et al. 2007).
   const Index walls = static_cast<Index>(boundary_.size());
-#pragma omp parallel for num_threads(threads_) schedule(static)
+#pragma omp parallel for num_threads(threads_) if (walls > worth_threads) schedule(static)
   for (Index i = 0; i < walls; ++i)
-    boundary_.density[i] = std::max(rho0, advanced(start_boundary_density_[i],
-                                                   boundary_.density[i], density_rate_[fluids + i]));
+    boundary_.density[i] = std::max(rho0, advanced(start_boundary_density_[i], boundary_.density[i],
+                                                   density_rate_[fluids + i]));
 }
 
 }  // namespace sabo

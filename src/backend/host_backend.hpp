@@ -1,11 +1,16 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "backend/backend.hpp"
 #include "math/sym3.hpp"
 
 namespace sabo {
+
+/// Loops that do little for each of fewer particles than this are over before other threads have
+/// woken up.
+inline constexpr std::ptrdiff_t worth_threads = 4096;
 
 /// A backend whose arrays live in host memory: owns the state and the sweeps that look at one
 /// particle at a time. Pairs are left to the backends proper.
@@ -42,11 +47,11 @@ class HostBackend : public Backend {
   Particles boundary_;
 
   // Results of the last evaluation. Arrays over all particles hold the fluid first.
-  std::vector<Sym3<double>> strain_;   ///< eps = grad v + (grad v)^T, 1/s
-  std::vector<Sym3<double>> stress_;   ///< (tau - p I) / rho^2; without tau for two-point viscosity
-  std::vector<double> density_rate_;   ///< kg/m3/s
-  std::vector<Vec3d> acceleration_;    ///< fluid only, m/s2
-  std::vector<char> has_neighbours_;   ///< fluid only
+  std::vector<Sym3<double>> strain_;  ///< eps = grad v + (grad v)^T, 1/s
+  std::vector<Sym3<double>> stress_;  ///< (tau - p I) / rho^2; without tau for two-point viscosity
+  std::vector<double> density_rate_;  ///< kg/m3/s
+  std::vector<Vec3d> acceleration_;   ///< fluid only, m/s2
+  std::vector<char> has_neighbours_;  ///< fluid only
 
  private:
   template <class Law>

@@ -19,7 +19,7 @@ struct FlowModel {
   Vec3d gravity{0, 0, -9.81};  ///< or any uniform body force per mass, m/s2
   Rheology rheology = Newtonian{};
   MohrCoulomb yield;
-  double density_diffusion = 0.1;   ///< zeta
+  double density_diffusion = 0.1;  ///< zeta
   DiffusionForm diffusion_form = DiffusionForm::molteni;
   double artificial_viscosity = 0;  ///< Monaghan's alpha
   ViscousOperator viscous_operator = ViscousOperator::nested;
@@ -46,8 +46,8 @@ struct FlowModel {
   /// wall moves against the fluid, which doubles it; the two-point form with `none` ignores walls.
   double wall_velocity_factor() const {
     if (boundary_stress == BoundaryStress::mirror) return 2;
-    const bool slips = viscous_operator == ViscousOperator::morris &&
-                       boundary_stress == BoundaryStress::none;
+    const bool slips =
+        viscous_operator == ViscousOperator::morris && boundary_stress == BoundaryStress::none;
     return slips ? 0 : 1;
   }
 };

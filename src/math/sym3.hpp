@@ -38,15 +38,14 @@ SABO_HD constexpr T trace(const Sym3<T>& a) {
 /// a:b, the sum over all nine components.
 template <class T>
 SABO_HD constexpr T double_dot(const Sym3<T>& a, const Sym3<T>& b) {
-  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz +
-         T(2) * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
+  return a.xx * b.xx + a.yy * b.yy + a.zz * b.zz + T(2) * (a.xy * b.xy + a.xz * b.xz + a.yz * b.yz);
 }
 
 /// a (x) b + b (x) a.
 template <class T>
 SABO_HD constexpr Sym3<T> symmetric_product(const Vec3<T>& a, const Vec3<T>& b) {
-  return {T(2) * a.x * b.x,        a.x * b.y + a.y * b.x, a.x * b.z + a.z * b.x,
-          T(2) * a.y * b.y,        a.y * b.z + a.z * b.y, T(2) * a.z * b.z};
+  return {T(2) * a.x * b.x, a.x * b.y + a.y * b.x, a.x * b.z + a.z * b.x,
+          T(2) * a.y * b.y, a.y * b.z + a.z * b.y, T(2) * a.z * b.z};
 }
 
 template <class T>

@@ -10,14 +10,14 @@ namespace sabo {
 
 // The one list of particle fields: X(type, name, unit, meaning). Members, sizes, permutations and
 // the arrays of a frame come from it.
-#define SABO_PARTICLE_FIELDS(X)                                                          \
-  X(Vec3d, position, "m", "position in the solver frame, z up")                          \
-  X(Vec3d, velocity, "m/s", "velocity")                                                  \
-  X(double, density, "kg/m3", "density")                                                 \
-  X(double, mass, "kg", "mass; constant in time")                                        \
-  X(std::uint32_t, id, "", "number that stays with the particle for the whole run")      \
-  X(double, pressure, "Pa", "pressure of the last evaluation; may be negative")          \
-  X(double, viscosity, "Pa s", "effective viscosity of the last evaluation")             \
+#define SABO_PARTICLE_FIELDS(X)                                                     \
+  X(Vec3d, position, "m", "position in the solver frame, z up")                     \
+  X(Vec3d, velocity, "m/s", "velocity")                                             \
+  X(double, density, "kg/m3", "density")                                            \
+  X(double, mass, "kg", "mass; constant in time")                                   \
+  X(std::uint32_t, id, "", "number that stays with the particle for the whole run") \
+  X(double, pressure, "Pa", "pressure of the last evaluation; may be negative")     \
+  X(double, viscosity, "Pa s", "effective viscosity of the last evaluation")        \
   X(double, shear_rate, "1/s", "engineering shear rate of the last evaluation")
 
 /// Structure of arrays, all of equal length.

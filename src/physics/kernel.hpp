@@ -14,8 +14,7 @@ struct WendlandC2 {
   SABO_HD static constexpr WendlandC2 make(double smoothing_length, int dimension) {
     constexpr double pi = 3.14159265358979323846;
     const double h2 = smoothing_length * smoothing_length;
-    const double a =
-        dimension == 2 ? 7 / (4 * pi * h2) : 21 / (16 * pi * h2 * smoothing_length);
+    const double a = dimension == 2 ? 7 / (4 * pi * h2) : 21 / (16 * pi * h2 * smoothing_length);
     return {T(smoothing_length), T(a)};
   }
 

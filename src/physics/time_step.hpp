@@ -50,7 +50,8 @@ struct TimeStepRule {
 };
 
 /// Default C_v: four fifths of the measured stability limits of forward Euler, 0.75 h^2/nu for the
-/// nested form, twice that for the printed form (it halves the stress), 0.29 for the two-point form.
+/// nested form, twice that for the printed form (it halves the stress), 0.29 for the two-point
+/// form.
 constexpr double default_viscous_cfl(ViscousOperator op, bool as_printed) {
   if (op == ViscousOperator::morris) return 0.23;
   return as_printed ? 1.2 : 0.6;

@@ -1,9 +1,9 @@
 #include "run/manifest.hpp"
 
+#include <ctime>
+
 #include <fmt/chrono.h>
 #include <fmt/format.h>
-
-#include <ctime>
 
 #include "base/version.hpp"
 #include "io/case_file/write_case.hpp"
@@ -65,9 +65,9 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       "started = {}\nwall_s = {:.1f}\nsimulated_s = {:.6g}\nsteps = {}\nparticles = {}\n"
       "boundary_particles = {}\ntop_speed = {:.3f}\nsound_speed = {:.3f}\n",
       run_folder_version, quoted(std::string(word_of(facts.end))), quoted(facts.reason),
-      quoted(build_version), quoted(build_compiler),
-      quoted(facts.started), facts.wall, facts.simulated, facts.steps, facts.particles,
-      facts.boundary_particles, facts.top_speed, facts.sound_speed);
+      quoted(build_version), quoted(build_compiler), quoted(facts.started), facts.wall,
+      facts.simulated, facts.steps, facts.particles, facts.boundary_particles, facts.top_speed,
+      facts.sound_speed);
   if (!rows.empty())
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
       text += "\n[[volumes]]\n" + volumes(scene, rows.back().volumes[k], k);
@@ -92,16 +92,16 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   if (!rows.empty())
     for (const std::string& line : volume_table_text(c, scene, rows.back())) lines.push_back(line);
   lines.push_back(fmt::format(
-      "Map volume {:.1f} m3, particle volume {:.1f} m3, difference {:.4f} %",
-      facts.raster_volume, facts.particle_volume,
-      percent(facts.raster_volume, facts.particle_volume)));
+      "Map volume {:.1f} m3, particle volume {:.1f} m3, difference {:.4f} %", facts.raster_volume,
+      facts.particle_volume, percent(facts.raster_volume, facts.particle_volume)));
   lines.push_back(fmt::format(
       "Resolution: median greatest depth {:.1f} particles; {:.0f} % of the wet area under {:g}",
       facts.resolution.median_layers, 100 * facts.resolution.thin_share,
       ResolutionGuard::enough_layers));
   if (facts.resolution.median_layers < ResolutionGuard::enough_layers)
-    lines.push_back("  the flow is thinner than its particles resolve: try a smaller "
-                    "numerics.spacing and compare");
+    lines.push_back(
+        "  the flow is thinner than its particles resolve: try a smaller "
+        "numerics.spacing and compare");
   if (facts.top_speed > 0.1 * facts.sound_speed)
     lines.push_back(fmt::format(
         "Mach number {:.2f}: the fastest particle, {:.1f} m/s, is above a tenth of the sound "
@@ -118,23 +118,24 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                      const std::vector<SeriesRow>& rows, std::vector<PagePicture> pictures) {
   IndexPage page;
   page.title = c.title.empty() ? "Debris flow" : c.title;
-  page.subtitle = fmt::format("sabo {} · {} · {}", build_version, facts.started, word_of(facts.end));
+  page.subtitle =
+      fmt::format("sabo {} · {} · {}", build_version, facts.started, word_of(facts.end));
   page.note = c.note;
   page.facts = {
       {"Simulated", fmt::format("{:.1f} s of {:g} s, {} steps, {:.0f} s of computing",
                                 facts.simulated, c.run.duration, facts.steps, facts.wall)},
       {"Particles", fmt::format("{} of the flow, spacing {:g} m; {} of the ground at the end",
                                 facts.particles, c.numerics.spacing, facts.boundary_particles)},
-      {"Material", fmt::format("{} law, density {:g} kg/m3, friction angle {:g} deg, cohesion "
-                               "{:g} Pa, pore pressure ratio {:g}",
-                               name_of(c.material.law), c.material.density,
-                               c.material.yield.friction_angle, c.material.yield.cohesion,
-                               c.material.yield.pore_pressure_ratio)},
-      {"Method", fmt::format("{}, viscous operator {}, boundary stress {}",
-                             word_of(c.numerics.method), word_of(c.numerics.viscous_operator),
-                             word_of(c.numerics.boundary_stress))},
-      {"Fastest particle", fmt::format("{:.1f} m/s (sound speed {:.0f} m/s)", facts.top_speed,
-                                       facts.sound_speed)},
+      {"Material",
+       fmt::format("{} law, density {:g} kg/m3, friction angle {:g} deg, cohesion "
+                   "{:g} Pa, pore pressure ratio {:g}",
+                   name_of(c.material.law), c.material.density, c.material.yield.friction_angle,
+                   c.material.yield.cohesion, c.material.yield.pore_pressure_ratio)},
+      {"Method",
+       fmt::format("{}, viscous operator {}, boundary stress {}", word_of(c.numerics.method),
+                   word_of(c.numerics.viscous_operator), word_of(c.numerics.boundary_stress))},
+      {"Fastest particle",
+       fmt::format("{:.1f} m/s (sound speed {:.0f} m/s)", facts.top_speed, facts.sound_speed)},
       {"Resolution",
        fmt::format("median greatest depth {:.1f} particles; {:.0f} % of the wet area under {:g}",
                    facts.resolution.median_layers, 100 * facts.resolution.thin_share,
@@ -144,20 +145,19 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
   if (!rows.empty()) page.tables = volume_tables(c, scene, rows.back());
   page.pictures = std::move(pictures);
-  page.files = {
-      {"case.toml", "the case with every default"},
-      {"manifest.toml", "version, times, volumes, checksums of the inputs"},
-      {"maps/dep.tif", "depth at the end, m"},
-      {"maps/pfd.tif", "greatest depth, m"},
-      {"maps/pfv.tif", "greatest speed, m/s"},
-      {"maps/tarr.tif", "arrival time, s"},
-      {"series/front.csv", "position, displacement and velocity of the front"},
-      {"series/discharge.csv", "discharge through the sections"},
-      {"series/volumes.csv", "released, trapped, beyond, outflow"},
-      {"series/energy.csv", "mass and energies"},
-      {"series/solver.csv", "time step, speeds, density range, particle counts"},
-      {"frames/flow.pvd", "particles as a time series for ParaView"},
-      {"frames/ground.vtp", "the ground for ParaView"}};
+  page.files = {{"case.toml", "the case with every default"},
+                {"manifest.toml", "version, times, volumes, checksums of the inputs"},
+                {"maps/dep.tif", "depth at the end, m"},
+                {"maps/pfd.tif", "greatest depth, m"},
+                {"maps/pfv.tif", "greatest speed, m/s"},
+                {"maps/tarr.tif", "arrival time, s"},
+                {"series/front.csv", "position, displacement and velocity of the front"},
+                {"series/discharge.csv", "discharge through the sections"},
+                {"series/volumes.csv", "released, trapped, beyond, outflow"},
+                {"series/energy.csv", "mass and energies"},
+                {"series/solver.csv", "time step, speeds, density range, particle counts"},
+                {"frames/flow.pvd", "particles as a time series for ParaView"},
+                {"frames/ground.vtp", "the ground for ParaView"}};
   return page;
 }
 

@@ -14,9 +14,9 @@ namespace sabo {
 /// What is said of a run when it is over.
 struct RunFacts {
   RunEnd end = RunEnd::finished;
-  std::string reason;  ///< of a failure
-  std::string started; ///< UTC, ISO 8601
-  double wall = 0;     ///< s
+  std::string reason;   ///< of a failure
+  std::string started;  ///< UTC, ISO 8601
+  double wall = 0;      ///< s
   double simulated = 0;
   std::size_t steps = 0;
   std::size_t particles = 0;           ///< released

@@ -20,8 +20,7 @@ Raster in_crs(Raster raster, const Frame& frame) {
 std::vector<MapLine> overlay(const Scene& scene) {
   std::vector<MapLine> lines;
   lines.push_back({MapLine::Kind::path, "", scene.path});
-  for (const CheckDam& dam : scene.dams)
-    lines.push_back({MapLine::Kind::dam, dam.name, dam.axis});
+  for (const CheckDam& dam : scene.dams) lines.push_back({MapLine::Kind::dam, dam.name, dam.axis});
   for (const NamedSection& section : scene.sections)
     lines.push_back({MapLine::Kind::section, section.name, section.line});
   return lines;
@@ -64,8 +63,8 @@ void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& al
     map.lines = overlay(scene);
     album.add(file, map_svg(map, ground, values), caption, true);
   };
-  draw("deposit.svg", "Depth at the end of the run", "depth [m]", maps.deposit,
-       FlowMaps::wet_depth, "Depth at the end of the run (maps/dep.tif)");
+  draw("deposit.svg", "Depth at the end of the run", "depth [m]", maps.deposit, FlowMaps::wet_depth,
+       "Depth at the end of the run (maps/dep.tif)");
   draw("peak_depth.svg", "Greatest depth", "depth [m]", maps.peak_depth, FlowMaps::wet_depth,
        "Greatest depth of the flow (maps/pfd.tif)");
   draw("peak_speed.svg", "Greatest speed", "speed [m/s]", maps.peak_speed, 0.01,
@@ -98,15 +97,13 @@ void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& 
   std::vector<ChartSeries> volumes;
   for (std::size_t k = 0; k < scene.dams.size(); ++k) {
     const std::string& dam = scene.dams[k].name;
-    volumes.push_back(series_of(rows, "trapped by " + dam, [k](const SeriesRow& row) {
-      return row.volumes[k].trapped;
-    }));
-    volumes.push_back(series_of(rows, "beyond " + dam, [k](const SeriesRow& row) {
-      return row.volumes[k].beyond;
-    }));
+    volumes.push_back(series_of(rows, "trapped by " + dam,
+                                [k](const SeriesRow& row) { return row.volumes[k].trapped; }));
+    volumes.push_back(series_of(rows, "beyond " + dam,
+                                [k](const SeriesRow& row) { return row.volumes[k].beyond; }));
   }
-  volumes.push_back(series_of(rows, "left the map",
-                              [](const SeriesRow& row) { return row.volumes[0].outflow; }));
+  volumes.push_back(
+      series_of(rows, "left the map", [](const SeriesRow& row) { return row.volumes[0].outflow; }));
   chart("volumes.svg", "Where the volume is", "volume [m3]", volumes,
         "Volume ledger (series/volumes.csv)");
 }
@@ -127,8 +124,7 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
 }
 
 std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<SeriesRow>& rows,
-                                       const Case& c, const Scene& scene,
-                                       const RunFolder& folder) {
+                                       const Case& c, const Scene& scene, const RunFolder& folder) {
   Album album(folder);
   draw_maps(maps, c, scene, album);
   draw_series(rows, scene, album);

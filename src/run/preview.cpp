@@ -21,6 +21,13 @@ namespace {
 
 double degrees_of(double slope) { return std::atan(slope) * 180 / std::numbers::pi; }
 
+/// A number of which the first digits matter: "870", "287 thousand", "3.4 million".
+std::string count_text(double count) {
+  if (count < 1e4) return fmt::format("{:.0f}", count);
+  if (count < 1e6) return fmt::format("{:.0f} thousand", count / 1e3);
+  return fmt::format("{:.1f} million", count / 1e6);
+}
+
 /// Lines under labels, then what to be aware of.
 class Preview {
  public:
@@ -185,8 +192,9 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
                                ? fmt::format(" while at rest ({:.3g} s without viscosity)",
                                              without_viscosity.dt)
                                : ""));
-  preview.line("Numerics", fmt::format("about {:.3g} steps for {:g} s",
-                                       std::ceil(c.run.duration / step.dt), c.run.duration));
+  preview.line("Numerics",
+               fmt::format("about {} steps for {:g} s",
+                           count_text(std::ceil(c.run.duration / step.dt)), c.run.duration));
 }
 
 }  // namespace

@@ -50,10 +50,10 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       energy_csv_(folder.series() / "energy.csv",
                   {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
                    "dissipated [J]"}),
-      solver_csv_(folder.series() / "solver.csv",
-                  {"time [s]", "step [count]", "time step [s]", "fastest [m/s]",
-                   "lowest density ratio", "highest density ratio", "fluid [count]",
-                   "boundary [count]"}) {
+      solver_csv_(
+          folder.series() / "solver.csv",
+          {"time [s]", "step [count]", "time step [s]", "fastest [m/s]", "lowest density ratio",
+           "highest density ratio", "fluid [count]", "boundary [count]"}) {
   for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
   tracks_.advance(scene.release);
 }

@@ -29,9 +29,7 @@ bool collected(Faults& faults, const std::function<void()>& part) {
   }
 }
 
-Vec3d moved(const Frame& frame, Vec3d x) {
-  return x - Vec3d{frame.origin_x, frame.origin_y, 0};
-}
+Vec3d moved(const Frame& frame, Vec3d x) { return x - Vec3d{frame.origin_x, frame.origin_y, 0}; }
 
 void move(const Frame& frame, Grid& grid) {
   grid.west -= frame.origin_x;
@@ -52,9 +50,10 @@ Polyline read_line(const LineSource& source, const std::string& key, const Frame
   if (!source.file.empty()) {
     std::vector<Polyline> lines = read_lines(source.file, frame.crs, key);
     if (lines.size() != 1)
-      throw CaseError(key, source.file.string() + " holds " + std::to_string(lines.size()) +
-                               " lines, one is wanted",
-                      "leave one line in the file, or give coordinates");
+      throw CaseError(
+          key,
+          source.file.string() + " holds " + std::to_string(lines.size()) + " lines, one is wanted",
+          "leave one line in the file, or give coordinates");
     line = std::move(lines.front());
   } else {
     for (const auto& c : source.coordinates) line.vertices.push_back({c[0], c[1], c[2]});
@@ -96,11 +95,9 @@ ReleaseShape release_shape(const Case& c, const Scene& scene) {
 
 Particles read_release(const Case& c, const Scene& scene) {
   const ReleaseSettings settings{c.numerics.spacing, c.material.density, scene.frame};
-  if (c.release.points.empty())
-    return released(*scene.surface, release_shape(c, scene), settings);
+  if (c.release.points.empty()) return released(*scene.surface, release_shape(c, scene), settings);
   const auto& offset = c.release.points_offset;
-  std::vector<Vec3d> points =
-      read_points(c.release.points, Vec3d{offset[0], offset[1], offset[2]});
+  std::vector<Vec3d> points = read_points(c.release.points, Vec3d{offset[0], offset[1], offset[2]});
   for (Vec3d& point : points) point = moved(scene.frame, point);
   return released(*scene.surface, points, c.release.point_volume, settings);
 }
@@ -119,17 +116,15 @@ void make_hydrostatic(const Case& c, Scene& scene) {
     if (!is_new) entry->second = std::max(entry->second, x.z);
   }
   for (const Vec3d& x : release.position)
-    scene.release_depth =
-        std::max(scene.release_depth,
-                 top.at(column_of(x)) + 0.5 * dp - scene.surface->height(x.x, x.y));
+    scene.release_depth = std::max(
+        scene.release_depth, top.at(column_of(x)) + 0.5 * dp - scene.surface->height(x.x, x.y));
 
   const Tait state = flow_model(c.material, c.numerics, scene.release_depth).state;
   for (std::size_t i = 0; i < release.size(); ++i) {
     const Vec3d& x = release.position[i];
     const double depth = top.at(column_of(x)) + 0.5 * dp - x.z;
     const double cosine = scene.surface->normal(x.x, x.y).z;
-    release.density[i] =
-        state.density(state.rho0 * c.numerics.gravity * depth * cosine * cosine);
+    release.density[i] = state.density(state.rho0 * c.numerics.gravity * depth * cosine * cosine);
   }
 }
 
@@ -170,14 +165,14 @@ CheckDam make_dam(const StructureCase& c, const std::string& key, const Scene& s
 
 void read_structures(const Case& c, Scene& scene, Faults& faults) {
   for (std::size_t k = 0; k < c.structures.size(); ++k) {
-    const std::string key = "structure[" + std::to_string(k) + "]";
+    const std::string key = "structure[" + std::to_string(k + 1) + "]";
     collected(faults, [&] { scene.dams.push_back(make_dam(c.structures[k], key, scene)); });
   }
 }
 
 void read_sections(const Case& c, Scene& scene, Faults& faults) {
   for (std::size_t k = 0; k < c.sections.size(); ++k) {
-    const std::string key = "section[" + std::to_string(k) + "].line";
+    const std::string key = "section[" + std::to_string(k + 1) + "].line";
     collected(faults, [&] {
       scene.sections.push_back(
           {c.sections[k].name, read_line(c.sections[k].line, key, scene.frame)});

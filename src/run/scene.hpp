@@ -27,7 +27,7 @@ struct Scene {
   HoleReport holes;
   std::vector<CheckDam> dams;
   std::vector<NamedSection> sections;
-  Polyline path;  ///< along the valley
+  Polyline path;                 ///< along the valley
   bool path_is_descent = false;  ///< not given, but found by steepest descent
   Particles release;             ///< at rest, at the density of a column at rest
   double release_volume = 0;     ///< m3

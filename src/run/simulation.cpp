@@ -33,8 +33,7 @@ GroundSettings ground_settings(const FlowModel& model) {
   return {model.spacing, layers, model.state.rho0};
 }
 
-std::unique_ptr<Backend> loaded_backend(const Case& c, const Scene& scene,
-                                        const FlowModel& model) {
+std::unique_ptr<Backend> loaded_backend(const Case& c, const Scene& scene, const FlowModel& model) {
   auto backend = make_backend(c.numerics.backend, model);
   backend->fluid() = scene.release;
   return backend;
@@ -102,9 +101,16 @@ class Simulation {
   void tell_progress(const StepReport& report) {
     if (!options_.on_progress || seconds_since(told_) < 0.2) return;
     told_ = Clock::now();
-    RunProgress progress{stepper_.time(),  case_.run.duration,       seconds_since(start_),
-                         stepper_.steps(), report.dt,                backend_->fluid().size(),
-                         backend_->boundary().size(), report.flow.speed, {}, {}};
+    RunProgress progress{stepper_.time(),
+                         case_.run.duration,
+                         seconds_since(start_),
+                         stepper_.steps(),
+                         report.dt,
+                         backend_->fluid().size(),
+                         backend_->boundary().size(),
+                         report.flow.speed,
+                         {},
+                         {}};
     if (!recorder_.rows().empty()) {
       progress.front = recorder_.rows().back().front;
       progress.volumes = recorder_.rows().back().volumes.front();
@@ -124,9 +130,8 @@ class Simulation {
     try {
       write_maps(maps, case_, scene_, folder_);
       auto pictures = draw_pictures(maps, rows, case_, scene_, folder_);
-      write_file_atomically(
-          folder_.index(),
-          index_html(index_page(facts_, case_, scene_, rows, std::move(pictures))));
+      write_file_atomically(folder_.index(), index_html(index_page(facts_, case_, scene_, rows,
+                                                                   std::move(pictures))));
       write_manifest(facts_, case_, scene_, rows, folder_);
     } catch (const RunError& error) {
       result.end = RunEnd::failed;

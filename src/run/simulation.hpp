@@ -35,9 +35,9 @@ struct Words<RunEnd> {
 
 struct RunResult {
   RunEnd end = RunEnd::finished;
-  std::string reason;               ///< of a failure
-  std::filesystem::path index;      ///< page to open
-  std::vector<std::string> summary; ///< lines to print: volumes, resolution, what to be aware of
+  std::string reason;                ///< of a failure
+  std::filesystem::path index;       ///< page to open
+  std::vector<std::string> summary;  ///< lines to print: volumes, resolution, what to be aware of
 };
 
 struct RunOptions {

@@ -1,9 +1,9 @@
 #include "run/volume_table.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <optional>
+
+#include <fmt/format.h>
 
 namespace sabo {
 namespace {
@@ -56,7 +56,8 @@ std::vector<std::string> volume_table_text(const Case& c, const Scene& scene,
     for (const std::vector<std::string>& cells : rows) {
       std::string line = fmt::format("  {:<20}", cells[0]);
       for (std::size_t k = 1; k < cells.size(); ++k)
-        line += fmt::format("  {:>{}}", cells[k], std::max<std::size_t>(12, table.header[k].size()));
+        line +=
+            fmt::format("  {:>{}}", cells[k], std::max<std::size_t>(12, table.header[k].size()));
       lines.push_back(line);
     }
   }

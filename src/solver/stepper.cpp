@@ -49,8 +49,8 @@ void Stepper::renew_neighbours() {
 
 void Stepper::check_health() const {
   const FlowHealth health = backend_.health();
-  const std::string when = " at t = " + std::to_string(time_) + " s, step " +
-                           std::to_string(steps_);
+  const std::string when =
+      " at t = " + std::to_string(time_) + " s, step " + std::to_string(steps_);
   if (!health.is_finite)
     throw RunError("a position, velocity or density is no longer a finite number" + when +
                    "; try a smaller numerics.cfl and look at the last frame");

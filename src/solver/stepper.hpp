@@ -26,9 +26,9 @@ class Stepper {
   /// a density has left `density_tolerance` of its reference.
   StepReport step(double longest = std::numeric_limits<double>::infinity());
 
-  double time() const { return time_; }                ///< s
+  double time() const { return time_; }  ///< s
   std::size_t steps() const { return steps_; }
-  double dissipated() const { return dissipated_; }    ///< heat made by viscosity so far, J
+  double dissipated() const { return dissipated_; }  ///< heat made by viscosity so far, J
 
   /// Largest deviation of rho / rho0 from 1 that a run survives.
   double density_tolerance = 0.1;

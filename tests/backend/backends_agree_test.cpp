@@ -1,10 +1,9 @@
-#include <gtest/gtest.h>
-
 #include <algorithm>
 #include <map>
 #include <random>
 
 #include "support/scenes.hpp"
+#include <gtest/gtest.h>
 
 namespace sabo {
 namespace {
@@ -151,8 +150,7 @@ TEST(Momentum, IsConservedByTheInternalForces) {
 
 TEST(Extremes, LeaveOutAParticleInFreeFlight) {
   for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
-    auto backend =
-        make_backend(kind, rich_model(ViscousOperator::nested, BoundaryStress::own));
+    auto backend = make_backend(kind, rich_model(ViscousOperator::nested, BoundaryStress::own));
     fill(*backend, {});
     add_particle(backend->fluid(), backend->model(), {5, 5, 5}, {0, 0, -100});
     backend->find_neighbours();

@@ -1,8 +1,8 @@
 #include "physics/kernel.hpp"
 
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 namespace sabo {
 namespace {

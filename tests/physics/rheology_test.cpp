@@ -1,10 +1,9 @@
-#include <gtest/gtest.h>
-
-#include <rapidcheck.h>
-#include <rapidcheck/gtest.h>
-
 #include <cmath>
 #include <variant>
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+#include <rapidcheck/gtest.h>
 
 #include "physics/rheology_list.hpp"
 
@@ -20,7 +19,8 @@ struct Row {
   double viscosity;
 };
 
-// mu_B = 20 Pa s and tau_B = 50 Pa are those of the paper's figure 1; ratio 1000 gives mu_0 = 20000.
+// mu_B = 20 Pa s and tau_B = 50 Pa are those of the paper's figure 1; ratio 1000 gives mu_0 =
+// 20000.
 const Row table[] = {
     {"newtonian ignores shear and yield", Newtonian{7}, 3, 50, 7},
     {"bingham: 20 + 50/10", Bingham{20, 1000}, 10, 50, 25},

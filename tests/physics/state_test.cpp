@@ -1,6 +1,6 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
+
+#include <gtest/gtest.h>
 
 #include "physics/equation_of_state.hpp"
 #include "physics/time_step.hpp"

@@ -1,8 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "support/scenes.hpp"
+#include <gtest/gtest.h>
 
 // A layer on an incline: gravity tilted over a flat bed. Depth-averaged closed forms hold exactly
 // because the stress on a plane parallel to the bed is the weight above it.
@@ -96,8 +95,8 @@ TEST(Incline, MohrCoulombBelowTheFrictionAngleOnlyCreeps) {
   layer.model.rheology = Cross{5, 1000, 1};
   layer.model.yield = {0, 20, 0};
   const double r = std::tan(18 * degree) / std::tan(20 * degree);
-  const double creep = r / (1 - r) * 1600 * 9.81 * std::cos(18 * degree) *
-                       std::tan(20 * degree) * 0.01 / (2 * 5000);
+  const double creep =
+      r / (1 - r) * 1600 * 9.81 * std::cos(18 * degree) * std::tan(20 * degree) * 0.01 / (2 * 5000);
   EXPECT_NEAR(creep, 0.0454, 5e-4);
   const double surface = run(layer, 0.5).surface;
   EXPECT_LT(surface, 1.5 * creep);

@@ -1,9 +1,9 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 
-#include "base/error.hpp"
 #include "support/scenes.hpp"
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
 
 namespace sabo {
 namespace {
@@ -99,10 +99,10 @@ TEST(Stepper, StopsWhenTheDensityLeavesItsRange) {
   auto backend = make_backend(BackendKind::cpu, model);
   test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
   for (std::size_t i = 0; i < backend->fluid().size(); ++i)  // implodes at Mach 1
-    backend->fluid().velocity[i] = -10.0 * (backend->fluid().position[i] - Vec3d{0.2, 0.2, 0.2}) * 5.0;
+    backend->fluid().velocity[i] =
+        -10.0 * (backend->fluid().position[i] - Vec3d{0.2, 0.2, 0.2}) * 5.0;
   Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
-  EXPECT_THROW(
-      for (int k = 0; k < 200; ++k) stepper.step(), RunError);
+  EXPECT_THROW(for (int k = 0; k < 200; ++k) stepper.step(), RunError);
 }
 
 }  // namespace

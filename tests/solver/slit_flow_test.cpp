@@ -1,8 +1,7 @@
-#include <gtest/gtest.h>
-
 #include <cmath>
 
 #include "support/scenes.hpp"
+#include <gtest/gtest.h>
 
 // Flows between plates and down planes against closed forms, at coarse resolution. The wall is the
 // plane half a spacing above the first boundary layer, where `mirror` puts the velocity to zero.
@@ -58,8 +57,8 @@ double couette(double z, double t) {
   double u = lid_speed * z / length;
   for (int n = 1; n < 100; ++n) {
     const double k = M_PI * n / length;
-    u += 2 * lid_speed / (n * M_PI) * (n % 2 ? -1 : 1) * std::sin(k * z) *
-         std::exp(-k * k * nu * t);
+    u +=
+        2 * lid_speed / (n * M_PI) * (n % 2 ? -1 : 1) * std::sin(k * z) * std::exp(-k * k * nu * t);
   }
   return u;
 }

@@ -36,8 +36,7 @@ inline void add_block(Particles& particles, const FlowModel& model, const Cells&
   for (int k = cells.z0; k < cells.z1; ++k)
     for (int j = flat ? 0 : cells.y0; j < (flat ? 1 : cells.y1); ++j)
       for (int i = cells.x0; i < cells.x1; ++i)
-        add_particle(particles, model,
-                     {(i + 0.5) * dp, flat ? 0 : (j + 0.5) * dp, (k + 0.5) * dp});
+        add_particle(particles, model, {(i + 0.5) * dp, flat ? 0 : (j + 0.5) * dp, (k + 0.5) * dp});
 }
 
 /// A layer of fluid `cells` thick on a floor at z = 0, or between that floor and a lid, periodic in

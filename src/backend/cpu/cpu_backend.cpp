@@ -84,7 +84,9 @@ bool CpuBackend::neighbours_are_stale() const {
   double moved2 = 0;
   double speed2 = 0;
   const Index count = static_cast<Index>(fluid_.size());
-#pragma omp parallel for num_threads(threads()) schedule(static) reduction(max : moved2, speed2)
+#pragma omp parallel for num_threads(threads()) if (count > worth_threads) schedule(static) \
+    reduction(max                                                                           \
+              : moved2, speed2)
   for (Index i = 0; i < count; ++i) {
     const Vec3d d = fluid_.position[i] - listed_position_[i];
     moved2 = std::max(moved2, dot(d, d));
@@ -101,7 +103,7 @@ void CpuBackend::pack_motion() {
   std::size_t offset = 0;
   for (const Particles* p : {&fluid_, &boundary_}) {
     const Index count = static_cast<Index>(p->size());
-#pragma omp parallel for num_threads(threads()) schedule(static)
+#pragma omp parallel for num_threads(threads()) if (count > worth_threads) schedule(static)
     for (Index i = 0; i < count; ++i) {
       const Vec3d x = per_unit * (p->position[i] - centre_);
       const Vec3d& v = p->velocity[i];
@@ -124,15 +126,26 @@ void CpuBackend::pack_stress() {
   std::size_t offset = 0;
   for (const Particles* p : {&fluid_, &boundary_}) {
     const Index count = static_cast<Index>(p->size());
-#pragma omp parallel for num_threads(threads()) schedule(static)
+#pragma omp parallel for num_threads(threads()) if (count > worth_threads) schedule(static)
     for (Index i = 0; i < count; ++i) {
       const MotionRecord& m = motion_[offset + i];
       const Sym3<double>& s = stress_[offset + i];
-      stress_records_[offset + i] = {
-          m.x,           m.y,           m.z,           float(p->mass[i]),
-          float(s.xx),   float(s.xy),   float(s.xz),   float(s.yy),
-          float(s.yz),   float(s.zz),   m.vx,          m.vy,
-          m.vz,          float(convention * p->viscosity[i]), float(p->density[i]), 0.0f};
+      stress_records_[offset + i] = {m.x,
+                                     m.y,
+                                     m.z,
+                                     float(p->mass[i]),
+                                     float(s.xx),
+                                     float(s.xy),
+                                     float(s.xz),
+                                     float(s.yy),
+                                     float(s.yz),
+                                     float(s.zz),
+                                     m.vx,
+                                     m.vy,
+                                     m.vz,
+                                     float(convention * p->viscosity[i]),
+                                     float(p->density[i]),
+                                     0.0f};
     }
     offset += p->size();
   }
@@ -149,8 +162,8 @@ void CpuBackend::strain_and_density_rates() {
 void CpuBackend::momentum() {
   pack_stress();
   parallel_blocks(fluid_.size(), threads(), [&](Range range) {
-    sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last,
-                   model_.gravity, acceleration_.data()});
+    sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last, model_.gravity,
+                   acceleration_.data()});
   });
 }
 

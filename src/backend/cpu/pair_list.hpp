@@ -12,8 +12,8 @@ namespace sabo {
 /// stress adds exactly nothing to any sum, so the loops have no remainder.
 class PairList {
  public:
-  static constexpr std::size_t lanes = 16;  ///< floats in the widest vector (512 bits)
-  static constexpr std::size_t chunk = 256; ///< particles whose neighbours are stored together
+  static constexpr std::size_t lanes = 16;   ///< floats in the widest vector (512 bits)
+  static constexpr std::size_t chunk = 256;  ///< particles whose neighbours are stored together
 
   struct Row {
     const std::uint32_t* fluid;     ///< first fluid neighbour

@@ -16,12 +16,12 @@ struct PairScale {
   bool periodic = false;
   float inverse_period[3] = {0, 0, 0};  ///< 1/m; 0 for an axis that is not periodic
   Vec3f period[3];
-  float h = 1;             ///< smoothing length, m
-  float kernel_alpha = 1;  ///< a_D, 1/m^D
-  float eta2 = 0;          ///< m2
-  float rho0 = 1;          ///< kg/m3
-  float two_zeta_h_c0 = 0; ///< of density diffusion, m2/s
-  Vec3f hydrostatic;       ///< of density diffusion, 1/m
+  float h = 1;              ///< smoothing length, m
+  float kernel_alpha = 1;   ///< a_D, 1/m^D
+  float eta2 = 0;           ///< m2
+  float rho0 = 1;           ///< kg/m3
+  float two_zeta_h_c0 = 0;  ///< of density diffusion, m2/s
+  Vec3f hydrostatic;        ///< of density diffusion, 1/m
   float wall_velocity_factor = 1;
   float alpha_c0_h = 0;  ///< of artificial viscosity, m2/s
   bool two_point_viscosity = false;

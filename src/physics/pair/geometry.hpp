@@ -10,9 +10,9 @@ namespace sabo {
 /// What every pair term needs to know of a pair i, j.
 template <class T>
 struct PairGeometry {
-  Vec3<T> x;     ///< x_i - x_j, m
-  T r2;          ///< |x|^2
-  T gradient;    ///< F in grad_i W_ij = F x, 1/m^(D+2); zero beyond the support
+  Vec3<T> x;   ///< x_i - x_j, m
+  T r2;        ///< |x|^2
+  T gradient;  ///< F in grad_i W_ij = F x, 1/m^(D+2); zero beyond the support
 };
 
 template <class T>

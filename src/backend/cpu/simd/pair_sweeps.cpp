@@ -19,8 +19,12 @@ using Vec = Vec3<Lanes>;
 /// Constants of the pair sweeps in every lane.
 struct Constants {
   explicit Constants(const PairScale& s)
-      : unit(s.unit), kernel{Lanes(s.h), Lanes(s.kernel_alpha)}, eta2(s.eta2), rho0(s.rho0),
-        diffusion{Lanes(s.two_zeta_h_c0), eta2,
+      : unit(s.unit),
+        kernel{Lanes(s.h), Lanes(s.kernel_alpha)},
+        eta2(s.eta2),
+        rho0(s.rho0),
+        diffusion{Lanes(s.two_zeta_h_c0),
+                  eta2,
                   {Lanes(s.hydrostatic.x), Lanes(s.hydrostatic.y), Lanes(s.hydrostatic.z)}},
         alpha_c0_h(s.alpha_c0_h) {
     for (int axis = 0; axis < 3; ++axis) {

@@ -1,0 +1,95 @@
+#include "support/temporary_folder.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/program.hpp"
+
+namespace sabo {
+namespace {
+
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+using testing::StartsWith;
+
+TEST(CommandLine, SaysItsVersion) {
+  const Outcome outcome = run_shell("sabo --version");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.text, StartsWith("sabo 0."));
+}
+
+TEST(CommandLine, WithoutACommandIsAUsageErrorThatHelps) {
+  const Outcome outcome = run_shell("sabo");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("sabo run demo"));
+}
+
+TEST(CommandLine, HelpIsNoError) {
+  for (const char* command : {"", "new", "check", "run", "info", "models"}) {
+    const Outcome outcome = run_shell(std::string("sabo ") + command + " --help");
+    EXPECT_EQ(outcome.code, 0) << command;
+    EXPECT_THAT(outcome.text, HasSubstr("Usage: sabo")) << command;
+  }
+}
+
+TEST(CommandLine, OptionsTakeTheirHelpFromTheKeysOfTheCase) {
+  const Outcome outcome = run_shell("sabo run --help");
+  EXPECT_THAT(outcome.text, HasSubstr("--spacing M                 initial distance of particles"));
+  EXPECT_THAT(outcome.text, HasSubstr("--backend reference|cpu"));
+}
+
+TEST(CommandLine, SuggestsTheNearestCommandOptionAndTemplate) {
+  const Outcome command = run_shell("sabo chekc demo");
+  EXPECT_EQ(command.code, 2);
+  EXPECT_EQ(command.text, "error: there is no command \"chekc\"; did you mean \"check\"?\n");
+
+  const Outcome option = run_shell("sabo run demo --spacng=1");
+  EXPECT_EQ(option.code, 2);
+  EXPECT_EQ(option.text, "error: run has no option --spacng; did you mean \"--spacing\"?\n");
+
+  const Outcome name = run_shell("sabo new yohutagwa /nowhere/demo");
+  EXPECT_EQ(name.code, 2);
+  EXPECT_EQ(name.text, "error: there is no template \"yohutagwa\"; did you mean \"yohutagawa\"?\n");
+}
+
+TEST(CommandLine, MissingArgumentsAreUsageErrors) {
+  for (const char* command : {"sabo new", "sabo check", "sabo run", "sabo info", "sabo run x -o"})
+    EXPECT_EQ(run_shell(command).code, 2) << command;
+}
+
+TEST(CommandLine, ModelsAndDefaultsNeedNoCase) {
+  const Outcome models = run_shell("sabo models");
+  EXPECT_EQ(models.code, 0);
+  EXPECT_THAT(models.text, HasSubstr("rheology = \"cross\""));
+  const Outcome defaults = run_shell("sabo check --defaults");
+  EXPECT_EQ(defaults.code, 0);
+  EXPECT_THAT(defaults.text, HasSubstr("h_over_dp = 1.5"));
+}
+
+TEST(CommandLine, ListsAllFaultsOfACaseWithoutColours) {
+  const TemporaryFolder folder;
+  folder.write("case.toml", "[run]\nduration = -1\n[numerics]\nspcing = 1\n");
+  const Outcome outcome = run_shell("sabo check '" + (folder / "").string() + "' --spacing abc");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.text, MatchesRegex("[0-9]+ faults in [^\n]*:\n(  [^\n]+\n)+"));
+  EXPECT_THAT(outcome.text, HasSubstr("\n  case.toml:2 run.duration: "));
+  EXPECT_THAT(outcome.text, HasSubstr("did you mean \"spacing\"?"));
+  EXPECT_THAT(outcome.text, HasSubstr("\n  command line numerics.spacing: found the text \"abc\""));
+  EXPECT_THAT(outcome.text, Not(HasSubstr("\x1b")));
+}
+
+TEST(CommandLine, FailsWhenItsOutputCannotBeWritten) {
+  const Outcome outcome = run_shell("sabo models > /dev/full");
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(outcome.text, "error: cannot write to the standard output\n");
+}
+
+TEST(CommandLine, RefusesAFolderThatIsNoRun) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_shell("sabo info '" + (folder / "").string() + "'");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("is not the folder of a run"));
+}
+
+}  // namespace
+}  // namespace sabo

@@ -1,0 +1,84 @@
+#include <filesystem>
+
+#include "support/temporary_folder.hpp"
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "app/program.hpp"
+
+namespace sabo {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+/// The example at a spacing at which a step takes milliseconds.
+class RunCommand : public testing::Test {
+ protected:
+  void SetUp() override { ASSERT_EQ(in_folder("sabo new yohutagawa demo").code, 0); }
+
+  Outcome in_folder(const std::string& command) const {
+    return run_shell("cd '" + (folder_ / "").string() + "' && " + command);
+  }
+  bool exists(const std::string& name) const { return std::filesystem::exists(folder_ / name); }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(RunCommand, WritesARunFolderThatInfoReads) {
+  const Outcome run = in_folder("sabo run demo --spacing 4 --duration 0.1");
+  EXPECT_EQ(run.code, 0) << run.text;
+  EXPECT_THAT(run.text, HasSubstr("Results go to demo-run\n"));
+  EXPECT_THAT(run.text, HasSubstr("\nOpen demo-run/index.html\n"));
+  EXPECT_THAT(run.text, Not(HasSubstr("\r")));
+  EXPECT_TRUE(exists("demo-run/index.html"));
+
+  const Outcome info = in_folder("sabo info demo-run");
+  EXPECT_EQ(info.code, 0) << info.text;
+  EXPECT_THAT(info.text, HasSubstr("  end                  finished\n"));
+  EXPECT_THAT(info.text, HasSubstr("  simulated            0.1 s\n"));
+  EXPECT_THAT(info.text, HasSubstr("  released             8863 m3\n"));
+}
+
+TEST_F(RunCommand, ReplacesARunOnlyWhenTold) {
+  const std::string command = "sabo run demo -o out --spacing 4 --duration 0.01";
+  ASSERT_EQ(in_folder(command).code, 0);
+  const Outcome again = in_folder(command);
+  EXPECT_EQ(again.code, 2);
+  EXPECT_THAT(again.text, HasSubstr("--overwrite"));
+  EXPECT_EQ(in_folder(command + " --overwrite").code, 0);
+}
+
+TEST_F(RunCommand, WritesItsResultsWhenInterrupted) {
+  for (const std::string signal : {"INT", "TERM"}) {
+    const Outcome run = in_folder("timeout --preserve-status -s " + signal +
+                                  " 3 \"" SABO_PROGRAM "\" run demo -o " + signal +
+                                  " --spacing 4 --duration 1e5 --threads 1");
+    EXPECT_EQ(run.code, 130) << run.text;
+    EXPECT_THAT(run.text, HasSubstr("Open " + signal + "/index.html\n"));
+    EXPECT_TRUE(exists(signal + "/index.html"));
+  }
+}
+
+TEST_F(RunCommand, WritesItsResultsWhenTheRunFails) {
+  // At a sound speed of 0.3 m/s the release is squeezed by its own weight to twice its density.
+  std::string text = folder_.read("demo/case.toml");
+  const std::string key = "reference_speed = 20";
+  text.replace(text.find(key), key.size(),
+               "reference_speed = 0.1\nh_max = 0.01\nsound_speed_factor = 1");
+  folder_.write("demo/case.toml", text);
+  const Outcome run = in_folder("sabo run demo --spacing 4");
+  EXPECT_EQ(run.code, 3) << run.text;
+  EXPECT_THAT(run.text, HasSubstr("error: the density left its range"));
+  EXPECT_TRUE(exists("demo-run/index.html"));
+}
+
+TEST_F(RunCommand, CheckDescribesTheCase) {
+  const Outcome outcome = in_folder("sabo check demo --spacing 2");
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_THAT(outcome.text, HasSubstr("EPSG:32652"));
+  EXPECT_THAT(outcome.text, HasSubstr("particles at 2 m"));
+}
+
+}  // namespace
+}  // namespace sabo
