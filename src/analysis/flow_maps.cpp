@@ -39,15 +39,6 @@ void FlowMaps::update(double time, const Particles& particles) {
   }
 }
 
-double FlowMaps::sampling_interval(const Particles& particles) const {
-  double greatest = 0;
-  for (const Vec3d& velocity : particles.velocity) {
-    greatest = std::max(greatest, dot(velocity, velocity));
-  }
-  const double cell = std::min(spreader_.grid().dx, spreader_.grid().dy);
-  return greatest > 0 ? cell / std::sqrt(greatest) : std::numeric_limits<double>::infinity();
-}
-
 Raster FlowMaps::masked(const std::vector<double>& values) const {
   Raster map(spreader_.grid());
   for (std::size_t cell = 0; cell < values.size(); ++cell) {

@@ -22,12 +22,9 @@ class FlowMaps {
   /// Cells where `elevation` is NaN are outside the domain. `spacing` in m, density in kg/m3.
   FlowMaps(const Raster& elevation, double spacing, double reference_density);
 
-  /// Takes in the particles as they are at `time` (s); times must not decrease.
+  /// Takes in the particles as they are at `time` (s); times must not decrease. Peaks miss cells
+  /// that the fastest particle passes between two calls.
   void update(double time, const Particles& particles);
-
-  /// Time (s) in which the fastest particle moves by one cell: the next update is due then, or the
-  /// peaks miss cells. Infinite when nothing moves.
-  double sampling_interval(const Particles& particles) const;
 
   // All maps are NaN outside the domain.
   Raster peak_depth() const;    ///< greatest depth so far, m

@@ -1,5 +1,6 @@
 #include "run/manifest.hpp"
 
+#include <cmath>
 #include <ctime>
 
 #include <fmt/chrono.h>
@@ -49,7 +50,10 @@ std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
   return text;
 }
 
-double percent(double a, double b) { return b > 0 ? 100 * (a / b - 1) : 0; }
+/// How far a is from b, in percent to four digits and without a negative zero.
+double percent(double a, double b) {
+  return b > 0 ? std::round(1e6 * (a / b - 1)) / 1e4 + 0.0 : 0;
+}
 
 }  // namespace
 

@@ -42,6 +42,8 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       ledgers_(make_ledgers(c, scene)),
       front_(scene.path),
       maps_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
+      sampling_distance_(std::max({scene.surface->elevation().grid.dx,
+                                   scene.surface->elevation().grid.dy, c.numerics.spacing})),
       has_dams_(!scene.dams.empty()),
       front_csv_(folder.series() / "front.csv",
                  {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),
@@ -56,16 +58,17 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
            "highest density ratio", "fluid [count]", "boundary [count]"}) {
   for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
   tracks_.advance(scene.release);
+  maps_.update(0, scene.release);
 }
 
-void Recorder::after_step(double time, const Particles& fluid) {
+void Recorder::after_step(double time, const StepReport& report, const Particles& fluid) {
   const std::vector<Vec3d>& before = tracks_.advance(fluid);
   for (Section& section : sections_) section.record(before, fluid, model_.state.rho0);
   for (VolumeLedger& ledger : ledgers_) ledger.record(before, fluid);
-  if (time >= maps_due_) {
-    maps_.update(time, fluid);
-    maps_due_ = time + maps_.sampling_interval(fluid);
-  }
+  travelled_ += report.flow.speed * report.dt;
+  if (travelled_ < sampling_distance_) return;
+  maps_.update(time, fluid);
+  travelled_ = 0;
 }
 
 void Recorder::after_renewal(Domain& domain) {

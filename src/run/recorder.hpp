@@ -31,8 +31,9 @@ class Recorder {
  public:
   Recorder(const Case& c, const Scene& scene, const FlowModel& model, const RunFolder& folder);
 
-  /// To be called after every step: counts crossings and samples the maps.
-  void after_step(double time, const Particles& fluid);
+  /// To be called after every step: counts crossings and samples the maps each time the fastest
+  /// particle has moved by a cell or a spacing, whichever is larger.
+  void after_step(double time, const StepReport& report, const Particles& fluid);
 
   /// Particles that left the domain and those put back on the ground since the last call.
   void after_renewal(Domain& domain);
@@ -55,7 +56,8 @@ class Recorder {
   std::vector<VolumeLedger> ledgers_;
   Front front_;
   FlowMaps maps_;
-  double maps_due_ = 0;
+  double sampling_distance_;  // m
+  double travelled_ = 0;      // by the fastest particle since the maps were sampled, m
   std::size_t put_back_seen_ = 0;
   bool has_dams_;
   std::vector<SeriesRow> rows_;

@@ -92,7 +92,7 @@ class Simulation {
 
       report = stepper_.step(duration - time);
       facts_.top_speed = std::max(facts_.top_speed, report.flow.speed);
-      recorder_.after_step(stepper_.time(), backend_->fluid());
+      recorder_.after_step(stepper_.time(), report, backend_->fluid());
       recorder_.after_renewal(domain_);
       tell_progress(report);
     }

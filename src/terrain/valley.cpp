@@ -33,7 +33,7 @@ double half_width_of_bed(double x) { return 6 + 0.12 * std::max(0.0, x - fan_sta
 
 /// Rise of the valley side at a distance from the edge of the bed, m.
 double side_rise(double x, double distance) {
-  const double steepness = x < fan_start ? 0.55 : 0.55 * std::exp(-(x - fan_start) / 60) + 0.02;
+  const double steepness = x < fan_start ? 0.55 : 0.53 * std::exp(-(x - fan_start) / 60) + 0.02;
   return steepness * distance * distance / (distance + 8);
 }
 

@@ -162,13 +162,5 @@ TEST(FlowMaps, speed_is_the_mean_by_mass) {
   EXPECT_DOUBLE_EQ(maps.peak_speed().at(0, 0), 2);  // 300 x 8 / 1200
 }
 
-TEST(FlowMaps, next_update_is_due_when_the_fastest_has_moved_one_cell) {
-  const FlowMaps maps(ground(), 0.5, 1000);
-  Particles particles = cloud({{11, 19, 0}, {11, 19, 1}});
-  EXPECT_EQ(maps.sampling_interval(particles), std::numeric_limits<double>::infinity());
-  particles.velocity[1] = {0, 3, -4};
-  EXPECT_DOUBLE_EQ(maps.sampling_interval(particles), 0.4);
-}
-
 }  // namespace
 }  // namespace sabo

@@ -1,0 +1,70 @@
+#include "solver/domain.hpp"
+
+#include <gtest/gtest.h>
+
+#include "terrain/ground.hpp"
+
+namespace sabo {
+namespace {
+
+/// A level floor at z = 0 of 20 x 20 m around the origin, vertices every metre.
+Surface level_floor() {
+  Grid grid{21, 21, -10.5, 10.5, 1, 1};
+  return Surface(Raster(grid, 0.0));
+}
+
+Particles particles_at(const std::vector<Vec3d>& positions) {
+  Particles p;
+  p.resize(positions.size());
+  p.position = positions;
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    p.mass[i] = 1;
+    p.velocity[i] = {1, 1, -1};
+    p.id[i] = static_cast<std::uint32_t>(i);
+  }
+  return p;
+}
+
+TEST(Domain, TakesOutWhatLeftThePlan) {
+  const Surface floor = level_floor();
+  Ground ground(floor, {}, {0.5, 3, 1000});
+  Domain domain(ground);
+  Particles fluid = particles_at({{0, 0, 1}, {25, 0, 1}, {0, -25, 1}}), boundary;
+  domain.update(fluid, boundary, 2);
+  ASSERT_EQ(fluid.size(), 1u);
+  EXPECT_EQ(fluid.id[0], 0u);
+  const Particles departed = domain.take_departed();
+  ASSERT_EQ(departed.size(), 2u);
+  EXPECT_EQ(departed.id[1], 2u);
+  EXPECT_EQ(domain.take_departed().size(), 0u);
+}
+
+TEST(Domain, PutsBackWhatIsBelowTheGroundAndCountsIt) {
+  const Surface floor = level_floor();
+  Ground ground(floor, {}, {0.5, 3, 1000});
+  Domain domain(ground);
+  Particles fluid = particles_at({{0, 0, -0.2}, {1, 0, 0.2}}), boundary;
+  domain.update(fluid, boundary, 2);
+  EXPECT_EQ(domain.put_back_count(), 1u);
+  EXPECT_GE(fluid.position[0].z, 0);
+  EXPECT_NEAR(fluid.position[0].z, 0, 0.01);
+  EXPECT_EQ(fluid.position[1].z, 0.2);
+  EXPECT_EQ(fluid.velocity[1], (Vec3d{1, 1, -1}));
+}
+
+TEST(Domain, MakesGroundOnlyNearTheFlow) {
+  const Surface floor = level_floor();
+  Ground ground(floor, {}, {0.5, 3, 1000});
+  Domain domain(ground);
+  Particles fluid = particles_at({{-8, -8, 1}}), boundary;
+  domain.update(fluid, boundary, 2);
+  EXPECT_GT(boundary.size(), 50u);
+  for (const Vec3d& x : boundary.position) EXPECT_LT(x.x, 0);
+  fluid.position[0] = {8, 8, 1};
+  domain.update(fluid, boundary, 2);
+  EXPECT_GT(boundary.size(), 50u);
+  for (const Vec3d& x : boundary.position) EXPECT_GT(x.x, 0);
+}
+
+}  // namespace
+}  // namespace sabo
