@@ -63,7 +63,8 @@ class Backend {
   /// Extremes of the last evaluation, for the time step.
   virtual FlowExtremes extremes() const = 0;
   virtual FlowHealth health() const = 0;
-  /// Power that viscosity turns into heat at the last evaluation, W.
+  /// Power that viscosity, within the flow and at its walls, turns into heat at the last
+  /// evaluation, W. To be called before the state moves on.
   virtual double dissipation() const = 0;
 
   /// Keeps the state as the start of a step and moves it half a step with the current rates.

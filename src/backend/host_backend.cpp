@@ -43,6 +43,7 @@ void HostBackend::find_neighbours() {
   stress_.assign(all, {});
   density_rate_.assign(all, 0);
   acceleration_.assign(fluid_.size(), {});
+  pressure_power_.assign(fluid_.size(), 0);
 }
 
 void HostBackend::pressure() {
@@ -146,12 +147,11 @@ FlowHealth HostBackend::health() const {
 }
 
 double HostBackend::dissipation() const {
-  // tau : D = mu eps:eps / 2 = mu gd^2; the printed convention halves both eps, so
-  // mu (eps/2):(eps/2) = 2 mu gd_printed^2 with gd_printed = gd / 2.
-  const double factor = model_.as_printed ? 2 : 1;
+  // What the forces between particles take from the motion, less what pressure takes: viscosity
+  // within the flow and at the walls, whatever the operator.
   return blocked_sum(fluid_.size(), threads_, [&](std::size_t i) {
-    const double gd = fluid_.shear_rate[i];
-    return factor * fluid_.mass[i] / fluid_.density[i] * fluid_.viscosity[i] * gd * gd;
+    const double power = dot(fluid_.velocity[i], acceleration_[i] - model_.gravity);
+    return fluid_.mass[i] * (pressure_power_[i] - power);
   });
 }
 

@@ -51,6 +51,7 @@ class HostBackend : public Backend {
   std::vector<Sym3<double>> stress_;  ///< (tau - p I) / rho^2; without tau for two-point viscosity
   std::vector<double> density_rate_;  ///< kg/m3/s
   std::vector<Vec3d> acceleration_;   ///< fluid only, m/s2
+  std::vector<double> pressure_power_;  ///< fluid only, v times acceleration by pressure, W/kg
   std::vector<char> has_neighbours_;  ///< fluid only
 
  private:

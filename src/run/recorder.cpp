@@ -87,6 +87,8 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   const double interval = rows_.empty() ? 0 : row.time - rows_.back().time;
   row.front = front_.update(row.time, backend.fluid());
   row.energy = energy_of(backend.fluid(), model_.gravity, model_.state);
+  // Dynamic boundary particles are compressed by the flow and give the energy back.
+  row.energy.elastic += energy_of(backend.boundary(), model_.gravity, model_.state).elastic;
   row.dissipated = stepper.dissipated();
 
   std::vector<double> discharge{row.time};

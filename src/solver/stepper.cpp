@@ -26,9 +26,9 @@ StepReport Stepper::step(double longest) {
 
   backend_.predict(report.dt);
   evaluate();
+  dissipated_ += report.dt * backend_.dissipation();
   backend_.correct(report.dt);
 
-  dissipated_ += report.dt * backend_.dissipation();
   time_ += report.dt;
   ++steps_;
   check_health();

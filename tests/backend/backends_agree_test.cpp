@@ -47,7 +47,7 @@ void fill(Backend& backend, const Vec3d& offset) {
 
 struct Rates {
   Vec3d acceleration;
-  double density_rate, viscosity;
+  double density_rate, viscosity, dissipation;
 };
 
 /// Rates by particle id, since backends sort.
@@ -68,7 +68,7 @@ std::map<std::uint32_t, Rates> rates(BackendKind kind, FlowModel model, Cloud cl
   std::map<std::uint32_t, Rates> result;
   for (std::size_t i = 0; i < backend->fluid().size(); ++i)
     result[backend->fluid().id[i]] = {backend->accelerations()[i], backend->density_rates()[i],
-                                      backend->fluid().viscosity[i]};
+                                      backend->fluid().viscosity[i], backend->dissipation()};
   return result;
 }
 
@@ -84,6 +84,7 @@ void expect_close(const std::map<std::uint32_t, Rates>& a, const std::map<std::u
     rate_difference =
         std::max(rate_difference, std::abs(expected.density_rate - found.density_rate));
     EXPECT_NEAR(found.viscosity / expected.viscosity, 1, 1e-4);
+    EXPECT_NEAR(found.dissipation / expected.dissipation, 1, 1e-4);
   }
   EXPECT_GT(largest, 10);  // the test is about something
   EXPECT_LT(difference, tolerance * largest);
@@ -115,6 +116,7 @@ TEST(CpuBackend, GivesTheSameBitsForAnyNumberOfThreads) {
     for (const auto& [id, expected] : one) {
       EXPECT_EQ(many.at(id).acceleration, expected.acceleration);
       EXPECT_EQ(many.at(id).density_rate, expected.density_rate);
+      EXPECT_EQ(many.at(id).dissipation, expected.dissipation);
     }
   }
 }

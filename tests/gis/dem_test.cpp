@@ -154,10 +154,7 @@ TEST_F(ReadDem, RefusesMoreCellsThanFitInMemory) {
 }
 
 TEST(ReadDemOfSharedData, ReadsRealTerrain) {
-  const char* named = std::getenv("SABO_DATA");
-  const std::filesystem::path beside =
-      std::filesystem::path(__FILE__).parent_path() / "../../../shared";
-  const auto folder = std::filesystem::path(named ? named : beside) / "terrain";
+  const auto folder = data_folder() / "terrain";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared data";
   const Dem slide = read_dem(folder / "dangchuan7_1m/dc7_dem_1411slide.txt", true);
   EXPECT_EQ(slide.raster.grid.columns, 231);

@@ -51,6 +51,12 @@ TEST(StressForce, ShearStressPullsAlong) {
   EXPECT_EQ(stress_force(pair, s, Sym3<double>{}, 1.0), (Vec3d{-8, 0, -6}));
 }
 
+TEST(PressurePower, IsTheVelocityTimesThePressureForce) {
+  const Vec3d v{1, 2, -1};
+  const Vec3d a = stress_force(pair, isotropic(-3.0), isotropic(-1.0), 0.5);
+  EXPECT_DOUBLE_EQ(pressure_power(pair, v, 3.0, 1.0, 0.5), dot(v, a));
+}
+
 TEST(MorrisForce, OpposesTheVelocityDifference) {
   // 2 mu m/(rho rho) F r2/(r2 + 0) = 2 x 3 x 0.1 x -2
   const Vec3d a = morris_force(pair, Vec3d{1, -2, 0}, 3.0, 0.1, 0.0);

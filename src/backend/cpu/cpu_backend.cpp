@@ -145,7 +145,7 @@ void CpuBackend::pack_stress() {
                                      m.vz,
                                      float(convention * p->viscosity[i]),
                                      float(p->density[i]),
-                                     0.0f};
+                                     float(p->pressure[i] / (p->density[i] * p->density[i]))};
     }
     offset += p->size();
   }
@@ -163,7 +163,7 @@ void CpuBackend::momentum() {
   pack_stress();
   parallel_blocks(fluid_.size(), threads(), [&](Range range) {
     sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last, model_.gravity,
-                   acceleration_.data()});
+                   acceleration_.data(), pressure_power_.data()});
   });
 }
 

@@ -43,7 +43,8 @@ struct ForceTask {
   const StressRecord* records;
   std::size_t first, last;
   Vec3d gravity;
-  Vec3d* acceleration;  ///< out
+  Vec3d* acceleration;     ///< out
+  double* pressure_power;  ///< out, W/kg
 };
 
 /// The two sums over pairs that take nearly all of the time, for one instruction set.

@@ -23,7 +23,7 @@ struct alignas(64) StressRecord {
   float vx, vy, vz;              ///< m/s
   float viscosity;               ///< Pa s, already times the strain convention
   float density;                 ///< kg/m3
-  float unused;
+  float pressure;                ///< p / rho^2, once more by itself
 };
 static_assert(sizeof(StressRecord) == 64);
 

@@ -83,9 +83,15 @@ void ReferenceBackend::momentum() {
   const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
   for (std::size_t i = 0; i < fluids; ++i) {
     Vec3d a = model_.gravity;
+    double power = 0;
+    const auto pressure_term = [&](std::size_t k) {
+      const double p = k < fluids ? fluid_.pressure[k] : boundary_.pressure[k - fluids];
+      return p / (density(k) * density(k));
+    };
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);
       a += stress_force(pair, stress_[i], stress_[j], mass(j));
+      power += pressure_power(pair, velocity(i), pressure_term(i), pressure_term(j), mass(j));
       if (morris) {
         const double mu = j < fluids ? pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j])
                                      : model_.wall_velocity_factor() * fluid_.viscosity[i];
@@ -96,6 +102,7 @@ void ReferenceBackend::momentum() {
       a += artificial_force(pair, v, alpha_c0_h, mass(j) / mean_density, model_.eta2());
     });
     acceleration_[i] = a;
+    pressure_power_[i] = power;
   }
 }
 

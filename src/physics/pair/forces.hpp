@@ -14,6 +14,13 @@ SABO_HD inline Vec3<T> stress_force(const PairGeometry<T>& pair, const Sym3<T>& 
   return (mass_j * pair.gradient) * ((s_i + s_j) * pair.x);
 }
 
+/// Power of the pressure in Eq. 13, W/kg: v_i times its acceleration, from P = p / rho^2 of both.
+template <class T>
+SABO_HD inline T pressure_power(const PairGeometry<T>& pair, const Vec3<T>& v_i, T p_i, T p_j,
+                                T mass_j) {
+  return -mass_j * pair.gradient * (p_i + p_j) * dot(v_i, pair.x);
+}
+
 /// Viscosity between two particles: the harmonic mean, which keeps the stress continuous where
 /// yielded meets unyielded material (Cleary & Monaghan 1999). Zero if both are zero.
 template <class T>

@@ -108,18 +108,23 @@ void motion_range(const MotionTask& task) {
   }
 }
 
+struct ForceSums {
+  Vec acceleration;
+  Lanes pressure_power;
+};
+
 /// Adds one run of neighbours; `wall` is the velocity factor of pairs across the wall, whose
 /// viscosity is that of the fluid.
 template <bool periodic, bool two_point, bool artificial>
 HWY_INLINE void add_force(const Constants& s, const ForceTask& task, std::size_t i,
                           const std::uint32_t* begin, const std::uint32_t* end, const float* wall,
-                          Vec& acceleration) {
+                          ForceSums& sums) {
   const StressRecord& me = task.records[i];
   const std::int32_t place[3] = {me.x, me.y, me.z};
   const Sym3<Lanes> stress{Lanes(me.xx), Lanes(me.xy), Lanes(me.xz),
                            Lanes(me.yy), Lanes(me.yz), Lanes(me.zz)};
   const Vec velocity{Lanes(me.vx), Lanes(me.vy), Lanes(me.vz)};
-  const Lanes viscosity(me.viscosity), density(me.density);
+  const Lanes viscosity(me.viscosity), density(me.density), pressure(me.pressure);
   const float* records = reinterpret_cast<const float*>(task.records);
   for (const std::uint32_t* k = begin; k != end; k += Lanes::count) {
     const Columns j = load_transposed(records, 16, 0, k);
@@ -127,16 +132,18 @@ HWY_INLINE void add_force(const Constants& s, const ForceTask& task, std::size_t
     const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
     const Lanes mass_j = j[3];
     const Sym3<Lanes> stress_j{j[4], j[5], j[6], j[7], more[0], more[1]};
-    acceleration += stress_force(pair, stress, stress_j, mass_j);
+    sums.acceleration += stress_force(pair, stress, stress_j, mass_j);
+    sums.pressure_power += pressure_power(pair, velocity, pressure, more[7], mass_j);
     if constexpr (two_point || artificial) {
       const Vec v = velocity - Vec{more[2], more[3], more[4]};
       const Lanes viscosity_j = more[5], density_j = more[6];
       if constexpr (two_point) {
         const Lanes mu = wall ? Lanes(*wall) * viscosity : pair_viscosity(viscosity, viscosity_j);
-        acceleration += morris_force(pair, v, mu, mass_j / (density * density_j), s.eta2);
+        sums.acceleration +=
+            morris_force(pair, v, mu, mass_j / (density * density_j), s.eta2);
       }
       if constexpr (artificial)
-        acceleration += artificial_force(pair, v, s.alpha_c0_h,
+        sums.acceleration += artificial_force(pair, v, s.alpha_c0_h,
                                          Lanes(2) * mass_j / (density + density_j), s.eta2);
     }
   }
@@ -148,10 +155,12 @@ void force_range(const ForceTask& task) {
   const float* wall = &task.scale->wall_velocity_factor;
   for (std::size_t i = task.first; i < task.last; ++i) {
     const PairList::Row row = task.list->row(i);
-    Vec a;
-    add_force<periodic, two_point, artificial>(s, task, i, row.fluid, row.boundary, nullptr, a);
-    add_force<periodic, two_point, artificial>(s, task, i, row.boundary, row.end, wall, a);
+    ForceSums sums;
+    add_force<periodic, two_point, artificial>(s, task, i, row.fluid, row.boundary, nullptr, sums);
+    add_force<periodic, two_point, artificial>(s, task, i, row.boundary, row.end, wall, sums);
+    const Vec& a = sums.acceleration;
     task.acceleration[i] = task.gravity + Vec3d{sum(a.x), sum(a.y), sum(a.z)};
+    task.pressure_power[i] = sum(sums.pressure_power);
   }
 }
 
