@@ -1,6 +1,6 @@
 # Short names for the usual commands. CMakePresets.json is underneath.
 .POSIX:
-.PHONY: help build demo test asan format tidy
+.PHONY: help build demo test docs asan format tidy
 
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
@@ -11,6 +11,7 @@ help:
 	@echo 'make build    install what is missing, then build build/release/src/sabo'
 	@echo 'make demo     build, then run the example: a debris flow meets a check dam'
 	@echo 'make test     build, then run all checks and tests'
+	@echo 'make docs     rewrite docs/case-file.md from the descriptions of the keys'
 	@echo 'make asan     the quick tests under the address and undefined-behaviour sanitizers'
 	@echo 'make format   format src/ and tests/'
 	@echo 'make tidy     static analysis of src/ by clang-tidy'
@@ -31,6 +32,12 @@ test: build
 	sh tools/check_format.sh
 	python3 tests/tools/test_check_layers.py
 	ctest --preset release -j 2
+
+docs:
+	@sh tools/install_packages.sh
+	cmake --preset release
+	cmake --build --preset release --target test_case_file
+	SABO_UPDATE_DOCS=1 build/release/tests/test_case_file --gtest_filter='Documents.*'
 
 asan:
 	@sh tools/install_packages.sh

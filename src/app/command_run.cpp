@@ -29,7 +29,7 @@ void print_heading(const Case& c, const std::filesystem::path& folder) {
 
 int report(const RunResult& result) {
   for (const std::string& line : result.summary) fmt::print("{}\n", line);
-  fmt::print("Open {}\n", result.index.string());
+  if (!result.index.empty()) fmt::print("Open {}\n", result.index.string());
   std::fflush(stdout);
   switch (result.end) {
     case RunEnd::finished:

@@ -10,12 +10,6 @@
 
 namespace sabo {
 
-/// Half-open range of particle indices; sweeps take one so that halos can be left out.
-struct Range {
-  std::size_t first = 0;
-  std::size_t last = 0;
-};
-
 /// State of a flow that the user or the run should hear of.
 struct FlowHealth {
   double min_density_ratio = 1;  ///< of fluid particles, rho / rho0
@@ -39,8 +33,9 @@ class Backend {
   virtual Particles& fluid() = 0;
   virtual Particles& boundary() = 0;
 
-  /// Whether some particle may have moved too far for the neighbour list.
-  virtual bool neighbours_are_stale() const = 0;
+  /// Whether some particle may have moved too far for the neighbour list once it has moved by
+  /// `margin` (m) more.
+  virtual bool neighbours_are_stale(double margin) const = 0;
   /// Distance within which the list holds every pair at the time it is made, m.
   virtual double list_radius() const = 0;
   /// Sorts the particles, wraps periodic positions and lists the pairs.
@@ -64,15 +59,14 @@ class Backend {
   virtual FlowExtremes extremes() const = 0;
   virtual FlowHealth health() const = 0;
   /// Power that viscosity, within the flow and at its walls, turns into heat at the last
-  /// evaluation, W. To be called before the state moves on.
+  /// evaluation, W; with moving walls their work is counted as well. To be called before the
+  /// state moves on.
   virtual double dissipation() const = 0;
 
   /// Keeps the state as the start of a step and moves it half a step with the current rates.
   virtual void predict(double dt) = 0;
   /// Moves from the start of the step over the whole step with the rates at its middle.
   virtual void correct(double dt) = 0;
-  /// Positions at the start of the last step, in the present order of the fluid.
-  virtual const std::vector<Vec3d>& start_positions() const = 0;
 
   /// Accelerations of the last evaluation, in the present order of the fluid, m/s2.
   virtual const std::vector<Vec3d>& accelerations() const = 0;

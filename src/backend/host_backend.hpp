@@ -30,7 +30,6 @@ class HostBackend : public Backend {
   double dissipation() const override;
   void predict(double dt) override;
   void correct(double dt) override;
-  const std::vector<Vec3d>& start_positions() const override { return start_position_; }
   const std::vector<Vec3d>& accelerations() const override { return acceleration_; }
   const std::vector<double>& density_rates() const override { return density_rate_; }
 
@@ -52,7 +51,7 @@ class HostBackend : public Backend {
   std::vector<double> density_rate_;  ///< kg/m3/s
   std::vector<Vec3d> acceleration_;   ///< fluid only, m/s2
   std::vector<double> pressure_power_;  ///< fluid only, v times acceleration by pressure, W/kg
-  std::vector<char> has_neighbours_;  ///< fluid only
+  std::vector<char> has_neighbours_;    ///< fluid only
 
  private:
   template <class Law>

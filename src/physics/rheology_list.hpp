@@ -17,7 +17,7 @@ namespace sabo {
 ///   has_yield              whether the keys of MohrCoulomb apply
 ///   describe(v)            its parameters
 ///   viscosity(gd, tau_B)   effective viscosity, Pa s, at shear rate gd (1/s) and yield stress (Pa)
-///   max_viscosity()        upper bound of viscosity(), Pa s; sets the explicit time step
+///   max_viscosity()        upper bound of viscosity(), Pa s
 using Rheology = std::variant<Cross, Bingham, GeneralCross, Newtonian>;
 
 inline std::string_view name_of(const Rheology& law) {

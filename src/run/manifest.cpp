@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/version.hpp"
+#include "io/case_file/toml_string.hpp"
 #include "io/case_file/write_case.hpp"
 #include "io/output/checksum.hpp"
 #include "io/output/file.hpp"
@@ -15,18 +16,9 @@
 namespace sabo {
 namespace {
 
-/// A basic TOML string.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    if (c == '\n' || c == '\t') {
-      result += ' ';
-    } else {
-      result += c;
-    }
-  }
-  return result + '"';
+const char* verb_of(RunEnd end) {
+  if (end == RunEnd::failed) return "failed";
+  return end == RunEnd::interrupted ? "was interrupted" : "ended";
 }
 
 std::string input_checksums(const Case& c) {
@@ -37,7 +29,8 @@ std::string input_checksums(const Case& c) {
   for (const StructureCase& structure : c.structures) files.push_back(structure.line.file);
   for (const SectionCase& section : c.sections) files.push_back(section.line.file);
   for (const std::filesystem::path& file : files)
-    if (!file.empty()) text += quoted(file.string()) + " = " + quoted(checksum(file)) + "\n";
+    if (!file.empty())
+      text += toml_string(file.string()) + " = " + toml_string(checksum(file)) + "\n";
   return text;
 }
 
@@ -46,14 +39,12 @@ std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
                                  row.released, row.outflow, row.put_back);
   if (dam < scene.dams.size())
     text += fmt::format("dam = {}\ntrapped = {:.3f}\nbeyond = {:.3f}\n",
-                        quoted(scene.dams[dam].name), row.trapped, row.beyond);
+                        toml_string(scene.dams[dam].name), row.trapped, row.beyond);
   return text;
 }
 
 /// How far a is from b, in percent to four digits and without a negative zero.
-double percent(double a, double b) {
-  return b > 0 ? std::round(1e6 * (a / b - 1)) / 1e4 + 0.0 : 0;
-}
+double percent(double a, double b) { return b > 0 ? std::round(1e6 * (a / b - 1)) / 1e4 + 0.0 : 0; }
 
 }  // namespace
 
@@ -68,10 +59,10 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       "run_folder_version = {}\n\n[run]\nend = {}\nreason = {}\nversion = {}\ncompiler = {}\n"
       "started = {}\nwall_s = {:.1f}\nsimulated_s = {:.6g}\nsteps = {}\nparticles = {}\n"
       "boundary_particles = {}\ntop_speed = {:.3f}\nsound_speed = {:.3f}\n",
-      run_folder_version, quoted(std::string(word_of(facts.end))), quoted(facts.reason),
-      quoted(build_version), quoted(build_compiler), quoted(facts.started), facts.wall,
-      facts.simulated, facts.steps, facts.particles, facts.boundary_particles, facts.top_speed,
-      facts.sound_speed);
+      run_folder_version, toml_string(std::string(word_of(facts.end))), toml_string(facts.reason),
+      toml_string(build_version), toml_string(build_compiler), toml_string(facts.started),
+      facts.wall, facts.simulated, facts.steps, facts.particles, facts.boundary_particles,
+      facts.top_speed, facts.sound_speed);
   if (!rows.empty())
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
       text += "\n[[volumes]]\n" + volumes(scene, rows.back().volumes[k], k);
@@ -87,11 +78,10 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
 std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, const Scene& scene,
                                        const std::vector<SeriesRow>& rows) {
   std::vector<std::string> lines;
-  if (facts.end != RunEnd::finished)
-    lines.push_back(fmt::format("The run {} at {:.2f} s of {:g} s{}",
-                                facts.end == RunEnd::failed ? "failed" : "was stopped",
-                                facts.simulated, c.run.duration,
-                                facts.reason.empty() ? "." : ": " + facts.reason));
+  if (facts.end != RunEnd::finished || !facts.reason.empty())
+    lines.push_back(fmt::format("The run {} at {:.2f} s of {:g} s{}{}", verb_of(facts.end),
+                                facts.simulated, c.run.duration, facts.reason.empty() ? "" : ": ",
+                                facts.reason));
   if (!c.note.empty()) lines.push_back("Note: " + c.note);
   if (!rows.empty())
     for (const std::string& line : volume_table_text(c, scene, rows.back())) lines.push_back(line);

@@ -3,7 +3,10 @@
 #include <system_error>
 #include <utility>
 
+#include <fmt/format.h>
+
 #include "base/error.hpp"
+#include "io/case_file/toml_string.hpp"
 #include "io/output/file.hpp"
 
 namespace sabo {
@@ -31,7 +34,12 @@ RunFolder::RunFolder(std::filesystem::path folder, bool overwrite) : root_(std::
     if (error) throw RunError("cannot make " + part.string() + ": " + error.message());
   }
   // From here on the folder is known as that of a run, whatever happens to it.
-  write_file_atomically(manifest(), "[run]\nend = \"running\"\n");
+  set_state("running", "");
+}
+
+void RunFolder::set_state(const std::string& end, const std::string& reason) const {
+  write_file_atomically(manifest(), fmt::format("[run]\nend = {}\nreason = {}\n", toml_string(end),
+                                                toml_string(reason)));
 }
 
 }  // namespace sabo

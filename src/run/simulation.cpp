@@ -42,7 +42,7 @@ std::unique_ptr<Backend> loaded_backend(const Case& c, const Scene& scene, const
 /// One run from its first step to its page.
 class Simulation {
  public:
-  Simulation(const Case& c, const Scene& scene, const RunOptions& options)
+  Simulation(const Case& c, const Scene& scene, const RunFolder& folder, const RunOptions& options)
       : case_(c),
         scene_(scene),
         options_(options),
@@ -50,7 +50,7 @@ class Simulation {
         ground_(*scene.surface, scene.dams, ground_settings(model_)),
         domain_(ground_),
         backend_(loaded_backend(c, scene, model_)),
-        folder_(options.folder, options.overwrite),
+        folder_(folder),
         recorder_(c, scene, model_, folder_),
         frames_(scene, folder_),
         stepper_(*backend_, time_step_rule(c.numerics, model_), &domain_) {}
@@ -63,6 +63,7 @@ class Simulation {
     } catch (const RunError& error) {
       facts_.end = RunEnd::failed;
       facts_.reason = error.what();
+      show_failure();
     }
     return conclude();
   }
@@ -81,13 +82,14 @@ class Simulation {
       const bool is_stopped = options_.stop && *options_.stop;
       if (time >= row_due || is_over || is_stopped) {
         recorder_.write_row(stepper_, report, *backend_);
-        row_due = time + case_.run.series_interval;
+        row_due += case_.run.series_interval;
       }
       if (time >= frame_due || is_over || is_stopped) {
         frames_.write(time, backend_->fluid());
         frame_due += case_.run.output_interval;
       }
       if (is_stopped && !is_over) facts_.end = RunEnd::interrupted;
+      if (time < duration && is_over) facts_.reason = "all of the flow has left the map";
       if (is_over || is_stopped) return;
 
       report = stepper_.step(duration - time);
@@ -95,6 +97,15 @@ class Simulation {
       recorder_.after_step(stepper_.time(), report, backend_->fluid());
       recorder_.after_renewal(domain_);
       tell_progress(report);
+    }
+  }
+
+  /// Writes the state that a run failed in as its last frame, if it can be written at all.
+  void show_failure() {
+    try {
+      frames_.write(stepper_.time(), backend_->fluid());
+    } catch (const RunError& error) {
+      facts_.reason += std::string("; its last frame could not be written: ") + error.what();
     }
   }
 
@@ -118,27 +129,39 @@ class Simulation {
     options_.on_progress(progress);
   }
 
-  /// Writes maps, pictures, manifest and page of whatever was reached.
+  /// Writes maps, pictures, page and manifest of whatever was reached.
   RunResult conclude() {
-    recorder_.finish(stepper_.time(), backend_->fluid());
+    // A state that failed must not leave its mark on the maps.
+    if (facts_.end != RunEnd::failed) recorder_.finish(stepper_.time(), backend_->fluid());
     const FlowMaps& flow = recorder_.maps();
     const RunMaps maps{flow.depth(), flow.peak_depth(), flow.peak_speed(), flow.arrival_time()};
-    fill_facts(maps);
     const std::vector<SeriesRow>& rows = recorder_.rows();
-    RunResult result{facts_.end, facts_.reason, folder_.index(), {}};
-    result.summary = summary_lines(facts_, case_, scene_, rows);
-    try {
-      write_maps(maps, case_, scene_, folder_);
+    fill_facts(maps);
+
+    RunResult result;
+    attempt([&] { folder_.set_state("failed", "the outputs are incomplete"); });
+    attempt([&] { write_maps(maps, case_, scene_, folder_); });
+    attempt([&] {
       auto pictures = draw_pictures(maps, rows, case_, scene_, folder_);
       write_file_atomically(folder_.index(), index_html(index_page(facts_, case_, scene_, rows,
                                                                    std::move(pictures))));
-      write_manifest(facts_, case_, scene_, rows, folder_);
-    } catch (const RunError& error) {
-      result.end = RunEnd::failed;
-      result.reason = error.what();
-      result.summary.push_back(std::string("Outputs are incomplete: ") + error.what());
-    }
+      result.index = folder_.index();
+    });
+    attempt([&] { write_manifest(facts_, case_, scene_, rows, folder_); });
+    result.end = facts_.end;
+    result.reason = facts_.reason;
+    result.summary = summary_lines(facts_, case_, scene_, rows);
     return result;
+  }
+
+  /// Writes one part of the results. The run has failed if that fails, for the first such reason.
+  void attempt(const std::function<void()>& part) {
+    try {
+      part();
+    } catch (const RunError& error) {
+      if (facts_.end != RunEnd::failed) facts_.reason = error.what();
+      facts_.end = RunEnd::failed;
+    }
   }
 
   void fill_facts(const RunMaps& maps) {
@@ -161,7 +184,7 @@ class Simulation {
   Ground ground_;
   Domain domain_;
   std::unique_ptr<Backend> backend_;
-  RunFolder folder_;
+  const RunFolder& folder_;
   Recorder recorder_;
   Frames frames_;
   Stepper stepper_;
@@ -176,7 +199,13 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   Faults faults;
   const Scene scene = make_scene(c, faults);
   faults.throw_if_any();
-  return Simulation(c, scene, options).run();
+  const RunFolder folder(options.folder, options.overwrite);
+  try {
+    return Simulation(c, scene, folder, options).run();
+  } catch (const RunError& error) {
+    folder.set_state("failed", error.what());
+    throw;
+  }
 }
 
 }  // namespace sabo

@@ -36,7 +36,7 @@ struct Words<RunEnd> {
 struct RunResult {
   RunEnd end = RunEnd::finished;
   std::string reason;                ///< of a failure
-  std::filesystem::path index;       ///< page to open
+  std::filesystem::path index;       ///< page to open; empty if it could not be written
   std::vector<std::string> summary;  ///< lines to print: volumes, resolution, what to be aware of
 };
 

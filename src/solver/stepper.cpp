@@ -15,14 +15,14 @@ Stepper::Stepper(Backend& backend, const TimeStepRule& rule, Domain* domain)
 }
 
 StepReport Stepper::step(double longest) {
-  if (backend_.neighbours_are_stale()) renew_neighbours();
+  // dt v is at most CFL h / 10, half of it before the middle of the step.
+  const double half_step = 0.05 * rule_.cfl * rule_.h;
+  if (backend_.neighbours_are_stale(half_step)) renew_neighbours();
 
   evaluate();
   StepReport report;
   report.flow = backend_.extremes();
-  const TimeStep step = rule_(report.flow);
-  report.dt = std::min(step.dt, longest);
-  report.limit = step.limit;
+  report.dt = std::min(rule_(report.flow).dt, longest);
 
   backend_.predict(report.dt);
   evaluate();

@@ -11,8 +11,7 @@ namespace sabo {
 
 /// What a step was like.
 struct StepReport {
-  double dt = 0;  ///< s
-  StepLimit limit = StepLimit::acoustic;
+  double dt = 0;      ///< s
   FlowExtremes flow;  ///< at the start of the step
 };
 
@@ -22,16 +21,16 @@ class Stepper {
   /// `domain` may be null: then the boundary is what the caller put there.
   Stepper(Backend& backend, const TimeStepRule& rule, Domain* domain);
 
+  /// Largest deviation of rho / rho0 from 1 that a run survives.
+  static constexpr double density_tolerance = 0.1;
+
   /// One step, no longer than `longest` (s). Throws RunError when the state is no longer finite or
-  /// a density has left `density_tolerance` of its reference.
+  /// a density has left its range.
   StepReport step(double longest = std::numeric_limits<double>::infinity());
 
   double time() const { return time_; }  ///< s
   std::size_t steps() const { return steps_; }
   double dissipated() const { return dissipated_; }  ///< heat made by viscosity so far, J
-
-  /// Largest deviation of rho / rho0 from 1 that a run survives.
-  double density_tolerance = 0.1;
 
  private:
   void renew_neighbours();
@@ -44,7 +43,6 @@ class Stepper {
   double time_ = 0;
   double dissipated_ = 0;
   std::size_t steps_ = 0;
-  bool has_walls_ = false;
 };
 
 }  // namespace sabo

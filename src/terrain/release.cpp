@@ -93,6 +93,22 @@ std::vector<Vec3d> sites_in_cubes(const Surface& surface, const std::vector<Vec3
   return positions;
 }
 
+/// A list in another vertical datum than the DEM is the usual reason.
+void refuse_points_below(const Surface& surface, const std::vector<Vec3d>& points) {
+  std::size_t count = 0;
+  double deepest = 0;
+  for (const Vec3d& p : points) {
+    const double depth = surface.height(p.x, p.y) - p.z;
+    if (depth > 0) ++count;
+    deepest = std::max(deepest, depth);
+  }
+  if (count == 0) return;
+  throw CaseError("release.points",
+                  std::to_string(count) + " of " + std::to_string(points.size()) +
+                      " points lie below the ground, by up to " + std::to_string(deepest) + " m",
+                  "check points_offset and the heights' datum");
+}
+
 }  // namespace
 
 ReleaseShape release_of(std::vector<Polygon> polygons, double thickness) {
@@ -186,6 +202,7 @@ Particles released(const Surface& surface, const std::vector<Vec3d>& points, dou
                    const ReleaseSettings& settings) {
   if (points.empty()) throw CaseError("release.points", "the list of points is empty");
   for (const Vec3d& p : points) refuse_unless_inside(surface, p.x, p.y, settings.frame);
+  refuse_points_below(surface, points);
   const double side = std::cbrt(point_volume);
   const double volume = point_volume * static_cast<double>(points.size());
   if (std::abs(side - settings.spacing) <= 1e-6) return at_rest(points, volume, settings.density);

@@ -1,9 +1,9 @@
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 
 #include "gis/made_raster.hpp"
 #include "support/fault_of.hpp"
+#include "support/folders.hpp"
 #include "support/temporary_folder.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

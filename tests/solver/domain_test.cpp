@@ -1,5 +1,6 @@
 #include "solver/domain.hpp"
 
+#include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
 #include "terrain/ground.hpp"
@@ -64,6 +65,47 @@ TEST(Domain, MakesGroundOnlyNearTheFlow) {
   domain.update(fluid, boundary, 2);
   EXPECT_GT(boundary.size(), 50u);
   for (const Vec3d& x : boundary.position) EXPECT_GT(x.x, 0);
+}
+
+/// A plane that falls by 0.5 m per m along x, 60 m long.
+Surface slope() {
+  Grid grid{61, 13, -0.5, 12.5, 1, 1};
+  Raster elevation(grid);
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      elevation.at(column, row) = -0.5 * grid.x_of(column);
+  return Surface(std::move(elevation));
+}
+
+// Both backends carry the ground along with a slide that soon leaves the first tiles.
+TEST(Domain, HoldsASlideOnASlope) {
+  const Surface ground_surface = slope();
+  std::vector<double> mean_x;
+  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+    FlowModel model;
+    model.spacing = 0.5;
+    model.h = 0.75;
+    model.state = {1000, 60};
+    model.rheology = Newtonian{50};
+    model.threads = 1;
+    Ground ground(ground_surface, {}, {model.spacing, 3, 1000});
+    Domain domain(ground);
+    auto backend = make_backend(kind, model);
+    test::add_block(backend->fluid(), model, {6, 10, 10, 14, 0, 3});
+    for (Vec3d& x : backend->fluid().position) x.z += ground_surface.height(x.x, x.y);
+    Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, &domain);
+    while (stepper.time() < 2.5) stepper.step();
+    double x = 0;
+    for (const Vec3d& p : backend->fluid().position) {
+      x += p.x / static_cast<double>(backend->fluid().size());
+      EXPECT_FALSE(ground.is_solid(p));
+    }
+    EXPECT_EQ(backend->fluid().size(), 48u);
+    EXPECT_EQ(domain.put_back_count(), 0u);
+    EXPECT_GT(x, 4 + 5);  // it moved by more than a tile of 4 m
+    mean_x.push_back(x);
+  }
+  EXPECT_NEAR(mean_x[1], mean_x[0], 0.02 * mean_x[0]);
 }
 
 }  // namespace

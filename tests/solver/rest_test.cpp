@@ -59,8 +59,8 @@ TEST(Rest, AColumnKeepsItsHydrostaticPressure) {
 }
 
 // A block of viscous fluid slumps on a floor: what it loses in height is found again as motion,
-// compression and heat. Density diffusion, which takes energy as well, is off; the small rest goes into
-// the walls, whose density is clamped.
+// compression and heat. Density diffusion, which takes energy as well, is off; the small rest goes
+// into the walls, whose density is clamped.
 TEST(Energy, IsAccountedForWhileABlockSlumps) {
   FlowModel model;
   model.dimension = 2;
@@ -86,8 +86,7 @@ TEST(Energy, IsAccountedForWhileABlockSlumps) {
   const double released = start.potential - end.potential;
   EXPECT_GT(released, 0.2 * 1000 * g * 0.5);  // it slumped
   EXPECT_GT(stepper.dissipated(), 0.3 * released);
-  EXPECT_NEAR(end.total() + elastic_in_wall() + stepper.dissipated(), start_total,
-              0.02 * released);
+  EXPECT_NEAR(end.total() + elastic_in_wall() + stepper.dissipated(), start_total, 0.02 * released);
 }
 
 TEST(FreeFall, KeepsToTheParabola) {
@@ -105,12 +104,15 @@ TEST(FreeFall, KeepsToTheParabola) {
     const std::uint32_t id = backend->fluid().id[0];
     Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
     while (stepper.time() < 0.5) stepper.step(0.5 - stepper.time());
+    int hits = 0;
     for (std::size_t i = 0; i < backend->fluid().size(); ++i) {
       if (backend->fluid().id[i] != id) continue;
+      ++hits;
       const Vec3d d = backend->fluid().position[i] - start;
       EXPECT_NEAR(d.x, 3 * 0.5, 1e-5);
       EXPECT_NEAR(d.z, 0.5 - g * 0.125, 1e-5);
     }
+    EXPECT_EQ(hits, 1);
   }
 }
 
@@ -128,6 +130,23 @@ TEST(Stepper, StopsWhenTheDensityLeavesItsRange) {
         -10.0 * (backend->fluid().position[i] - Vec3d{0.2, 0.2, 0.2}) * 5.0;
   Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
   EXPECT_THROW(for (int k = 0; k < 200; ++k) stepper.step(), RunError);
+}
+
+TEST(Stepper, StopsOnANumberThatIsNone) {
+  FlowModel model;
+  model.spacing = 0.1;
+  model.h = 0.15;
+  model.state = {1000, 10};
+  model.rheology = Newtonian{1};
+  model.threads = 1;
+  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+    auto backend = make_backend(kind, model);
+    test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
+    Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+    stepper.step();
+    backend->fluid().velocity[7].y = std::nan("");
+    EXPECT_THROW(stepper.step(), RunError);
+  }
 }
 
 }  // namespace

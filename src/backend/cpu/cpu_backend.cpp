@@ -13,6 +13,11 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
+/// Half-open range of particle indices.
+struct Range {
+  std::size_t first, last;
+};
+
 /// Runs f(range) over fixed blocks of [0, count) on all threads.
 template <class F>
 void parallel_blocks(std::size_t count, int threads, const F& f) {
@@ -26,11 +31,11 @@ void parallel_blocks(std::size_t count, int threads, const F& f) {
 
 CpuBackend::CpuBackend(const FlowModel& model, const PairSweeps& sweeps)
     : HostBackend(model), sweeps_(sweeps), skin_(0.2 * model.h) {
-  // Otherwise two images of one particle could both lie within the kernel.
-  const double shortest = model.kernel_radius() + list_radius();
+  // Otherwise two images of one particle could both be listed.
+  const double shortest = 2 * (model.kernel_radius() + skin_);
   for (int axis = 0; axis < 3; ++axis)
     if (model.periodic.on(axis) && Periodic::along(model.periodic.period[axis], axis) < shortest)
-      throw CaseError("periodic", "a period is shorter than two kernel radii and the list's skin",
+      throw CaseError("periodic", "a period is shorter than two radii of the neighbour list",
                       "make it at least " + std::to_string(shortest) + " m");
 }
 
@@ -78,23 +83,19 @@ void CpuBackend::set_scale() {
   scale_.two_point_viscosity = model_.viscous_operator == ViscousOperator::morris;
 }
 
-bool CpuBackend::neighbours_are_stale() const {
+bool CpuBackend::neighbours_are_stale(double margin) const {
   if (listed_position_.size() != fluid_.size() || list_.size() != fluid_.size() + boundary_.size())
     return true;
   double moved2 = 0;
-  double speed2 = 0;
   const Index count = static_cast<Index>(fluid_.size());
 #pragma omp parallel for num_threads(threads()) if (count > worth_threads) schedule(static) \
     reduction(max                                                                           \
-              : moved2, speed2)
+              : moved2)
   for (Index i = 0; i < count; ++i) {
     const Vec3d d = fluid_.position[i] - listed_position_[i];
     moved2 = std::max(moved2, dot(d, d));
-    speed2 = std::max(speed2, dot(fluid_.velocity[i], fluid_.velocity[i]));
   }
-  // Room for the coming half step: dt <= 0.15 h / v for any CFL number up to 1.5.
-  const double half_step = std::sqrt(speed2) > 0 ? 0.02 * model_.h : 0;
-  return std::sqrt(moved2) + half_step > 0.5 * skin_;
+  return std::sqrt(moved2) + margin > 0.5 * skin_;
 }
 
 void CpuBackend::pack_motion() {
@@ -165,15 +166,6 @@ void CpuBackend::momentum() {
     sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last, model_.gravity,
                    acceleration_.data(), pressure_power_.data()});
   });
-}
-
-std::size_t CpuBackend::listed_pairs() const {
-  std::size_t pairs = 0;
-  for (std::size_t i = 0; i < list_.size(); ++i) {
-    const PairList::Row row = list_.row(i);
-    for (const std::uint32_t* j = row.fluid; j != row.end; ++j) pairs += *j != i;
-  }
-  return pairs;
 }
 
 }  // namespace sabo

@@ -15,13 +15,10 @@ class CpuBackend : public HostBackend {
  public:
   explicit CpuBackend(const FlowModel& model, const PairSweeps& sweeps = best_pair_sweeps());
 
-  bool neighbours_are_stale() const override;
+  bool neighbours_are_stale(double margin) const override;
   double list_radius() const override { return model_.kernel_radius() + skin_; }
   void strain_and_density_rates() override;
   void momentum() override;
-
-  /// Listed pairs, without the padding's share: for benchmarks and tests.
-  std::size_t listed_pairs() const;
 
  protected:
   void list_pairs() override;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <vector>
 
 #include "backend/cpu/pair_list.hpp"
 #include "backend/cpu/records.hpp"
@@ -56,7 +57,10 @@ struct PairSweeps {
   void (*force)(const ForceTask&);
 };
 
-/// The widest instruction set this machine has.
-const PairSweeps& best_pair_sweeps();
+/// The sweeps for every instruction set this machine has, the widest last.
+const std::vector<const PairSweeps*>& all_pair_sweeps();
+
+/// The widest of them.
+inline const PairSweeps& best_pair_sweeps() { return *all_pair_sweeps().back(); }
 
 }  // namespace sabo

@@ -10,8 +10,10 @@ class ReferenceBackend : public HostBackend {
  public:
   explicit ReferenceBackend(FlowModel model);
 
-  bool neighbours_are_stale() const override { return false; }
-  double list_radius() const override { return model_.kernel_radius(); }
+  /// Nothing is kept, so everything is renewed each step.
+  bool neighbours_are_stale(double /*margin*/) const override { return true; }
+  /// A little more than the kernel, so that there is ground ahead of the half step.
+  double list_radius() const override { return 1.1 * model_.kernel_radius(); }
   void strain_and_density_rates() override;
   void momentum() override;
 

@@ -5,26 +5,10 @@
 #include <fmt/format.h>
 
 #include "io/case_file/key_text.hpp"
-#include "io/case_file/text_check.hpp"
+#include "io/case_file/toml_string.hpp"
 
 namespace sabo {
 namespace {
-
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') {
-      result += '\\';
-      result += c;
-    } else if (is_control(c)) {
-      result += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
-    } else {
-      result += c;
-    }
-  }
-  result += '"';
-  return result;
-}
 
 std::string bracketed(const std::vector<std::string>& items) {
   return fmt::format("[{}]", list_text(items));
@@ -50,16 +34,16 @@ std::string toml_text(const T& value) {
   if constexpr (is_optional<T>) {
     return value ? toml_text(*value) : "";
   } else if constexpr (std::is_same_v<T, std::string>) {
-    return quoted(value);
+    return toml_string(value);
   } else if constexpr (std::is_same_v<T, std::filesystem::path>) {
-    return value.empty() ? "" : quoted(value.string());
+    return value.empty() ? "" : toml_string(value.string());
   } else if constexpr (std::is_same_v<T, LineSource>) {
     if (!value.coordinates.empty()) return points_text(value);
     return toml_text(value.file);
   } else if constexpr (std::is_same_v<T, Rheology>) {
-    return quoted(std::string(name_of(value)));
+    return toml_string(std::string(name_of(value)));
   } else if constexpr (std::is_enum_v<T>) {
-    return quoted(std::string(word_of(value)));
+    return toml_string(std::string(word_of(value)));
   } else if constexpr (numbers_in<T> > 0) {
     return numbers_text(value);
   } else {

@@ -35,11 +35,5 @@ struct Lanes {
   friend float sum(const Lanes& a) { return hn::GetLane(hn::SumOfLanes(Tag(), a.v)); }
 };
 
-/// Bits of a float vector read as 32-bit integers and converted to float.
-inline Lanes converted_integers(const Lanes& bits) {
-  const hn::RebindToSigned<Lanes::Tag> integers;
-  return hn::ConvertTo(Lanes::Tag(), hn::BitCast(integers, bits.v));
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace sabo

@@ -139,12 +139,11 @@ HWY_INLINE void add_force(const Constants& s, const ForceTask& task, std::size_t
       const Lanes viscosity_j = more[5], density_j = more[6];
       if constexpr (two_point) {
         const Lanes mu = wall ? Lanes(*wall) * viscosity : pair_viscosity(viscosity, viscosity_j);
-        sums.acceleration +=
-            morris_force(pair, v, mu, mass_j / (density * density_j), s.eta2);
+        sums.acceleration += morris_force(pair, v, mu, mass_j / (density * density_j), s.eta2);
       }
       if constexpr (artificial)
         sums.acceleration += artificial_force(pair, v, s.alpha_c0_h,
-                                         Lanes(2) * mass_j / (density + density_j), s.eta2);
+                                              Lanes(2) * mass_j / (density + density_j), s.eta2);
     }
   }
 }
