@@ -58,6 +58,27 @@ TEST(Rest, AColumnKeepsItsHydrostaticPressure) {
   }
 }
 
+// Water 0.5 m deep in a box of 1 x 0.5 m with walls on all sides, off hydrostatic at the start.
+TEST(Rest, AClosedBoxKeepsItsWater) {
+  FlowModel model = still_water(3, 20).model;
+  model.diffusion_form = DiffusionForm::fourtakas;
+  auto backend = make_backend(BackendKind::cpu, model);
+  test::add_block(backend->fluid(), model, {0, 20, 0, 10, 0, 10});
+  test::add_block(backend->boundary(), model, {-3, 23, -3, 13, -3, 0});
+  for (const test::Cells wall : {test::Cells{-3, 0, -3, 13, 0, 16},
+                                 {20, 23, -3, 13, 0, 16},
+                                 {0, 20, -3, 0, 0, 16},
+                                 {0, 20, 10, 13, 0, 16}})
+    test::add_block(backend->boundary(), model, wall);
+  Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+  while (stepper.time() < 1) stepper.step();
+  EXPECT_EQ(backend->fluid().size(), 2000u);
+  for (const Vec3d& x : backend->fluid().position) {
+    EXPECT_TRUE(x.x > 0 && x.x < 1 && x.y > 0 && x.y < 0.5 && x.z > 0 && x.z < 0.6);
+  }
+  EXPECT_LT(pressure_error(*backend, 0.5), 0.1);
+}
+
 // A block of viscous fluid slumps on a floor: what it loses in height is found again as motion,
 // compression and heat. Density diffusion, which takes energy as well, is off; the small rest goes
 // into the walls, whose density is clamped.
