@@ -3,12 +3,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "terrain/inset_height.hpp"
+
 namespace sabo {
 namespace {
 
 constexpr double longest_stretch = 1.25;  // of the lattice along the ground before a split
 constexpr int most_parts = 4;             // of a column, per direction
 constexpr double steepest_secant = 3;     // 1 / cos(slope): at cliffs layers stop growing apart
+constexpr double largest_piece = 1.414;   // of a layer along itself, in squares of the spacing
+constexpr int most_halvings = 6;          // of a column
 
 /// Parts into which a slope splits a column.
 int parts(double slope) {
@@ -56,6 +60,13 @@ void GroundColumns::make(std::int64_t i, std::int64_t j, bool beyond_edge,
                          std::vector<GroundPoint>& into) const {
   Foot whole;
   if (!find_foot(i, j, beyond_edge, whole)) return;
+  if (is_broken(whole)) {
+    for (int layer = 0; layer < settings_.layers; ++layer) {
+      fill({whole.point.x, whole.point.y, settings_.spacing, settings_.spacing}, layer,
+           most_halvings, into);
+    }
+    return;
+  }
   const int parts_x = parts(whole.slope_x);
   const int parts_y = parts(whole.slope_y);
   const double area = settings_.spacing * settings_.spacing / (parts_x * parts_y);
@@ -70,6 +81,39 @@ void GroundColumns::make(std::int64_t i, std::int64_t j, bool beyond_edge,
             {foot.point - Vec3d{0, 0, (k + 0.5) * step}, settings_.density * area * step});
       }
     }
+  }
+}
+
+/// Whether the shell of ground under a column is another than that of its tangent plane.
+bool GroundColumns::is_broken(const Foot& foot) const {
+  const auto& [x, y, z] = foot.point;
+  if (!surface_.inside(x, y)) return false;
+  if (foot.secant() == steepest_secant) return true;
+  const double depth = settings_.layers * settings_.spacing;
+  return z - inset_height(surface_, x, y, depth) > foot.secant() * (depth + settings_.spacing / 2);
+}
+
+/// Halves a piece of a layer until a particle can stand for it.
+void GroundColumns::fill(const Piece& piece, int layer, int halvings,
+                         std::vector<GroundPoint>& into) const {
+  const double depth = (layer + 0.5) * settings_.spacing;
+  const auto height = [&](double x, double y) { return inset_height(surface_, x, y, depth); };
+  const auto& [x, y, width, length] = piece;
+  const double rise_x = height(x + width / 2, y) - height(x - width / 2, y);
+  const double rise_y = height(x, y + length / 2) - height(x, y - length / 2);
+  const double along_x = std::hypot(width, rise_x);
+  const double along_y = std::hypot(length, rise_y);
+  const double area = std::hypot(width * length, rise_x * length, rise_y * width);
+  const double largest = largest_piece * settings_.spacing * settings_.spacing;
+  if (area <= largest || halvings == 0) {
+    into.push_back(
+        {{x, y, height(x, y)}, settings_.density * settings_.spacing * std::min(area, largest)});
+  } else if (along_x >= along_y) {
+    fill({x - width / 4, y, width / 2, length}, layer, halvings - 1, into);
+    fill({x + width / 4, y, width / 2, length}, layer, halvings - 1, into);
+  } else {
+    fill({x, y - length / 4, width, length / 2}, layer, halvings - 1, into);
+    fill({x, y + length / 4, width, length / 2}, layer, halvings - 1, into);
   }
 }
 

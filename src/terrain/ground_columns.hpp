@@ -43,9 +43,15 @@ class GroundColumns {
 
  private:
   struct Foot;
+  /// Centre and sides of a rectangle in plan, m.
+  struct Piece {
+    double x, y, width, length;
+  };
   Foot foot_at(double x, double y) const;
   bool find_foot(std::int64_t i, std::int64_t j, bool beyond_edge, Foot& foot) const;
   double slope(double x, double y, double dx, double dy) const;
+  bool is_broken(const Foot& foot) const;
+  void fill(const Piece& piece, int layer, int halvings, std::vector<GroundPoint>& into) const;
 
   double centre(std::int64_t k) const { return (k + 0.5) * settings_.spacing; }
 

@@ -1,16 +1,16 @@
-#include <gtest/gtest.h>
-
 #include <filesystem>
 #include <fstream>
 #include <sstream>
 #include <string>
 
+#include "support/full_disk.hpp"
+#include "support/temporary_folder.hpp"
+#include <gtest/gtest.h>
+
 #include "base/error.hpp"
 #include "io/case_file/read_case.hpp"
 #include "run/new_case.hpp"
 #include "run/simulation.hpp"
-#include "support/full_disk.hpp"
-#include "support/temporary_folder.hpp"
 
 namespace sabo {
 namespace {
@@ -69,8 +69,7 @@ TEST(Failure, OutputsUpToADensityFailureAreWritten) {
   EXPECT_NE(result.reason.find("reference_speed"), std::string::npos) << result.reason;
   EXPECT_TRUE(std::filesystem::exists(result.index));
   EXPECT_TRUE(std::filesystem::exists(folder / "run" / "maps" / "dep.tif"));
-  EXPECT_NE(text_of(folder / "run" / "manifest.toml").find("end = \"failed\""),
-            std::string::npos);
+  EXPECT_NE(text_of(folder / "run" / "manifest.toml").find("end = \"failed\""), std::string::npos);
 }
 
 TEST(Failure, AFolderWithOtherFilesIsRefused) {

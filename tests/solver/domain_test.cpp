@@ -82,18 +82,13 @@ TEST(Domain, HoldsASlideOnASlope) {
   const Surface ground_surface = slope();
   std::vector<double> mean_x;
   for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
-    FlowModel model;
-    model.spacing = 0.5;
-    model.h = 0.75;
-    model.state = {1000, 60};
-    model.rheology = Newtonian{50};
-    model.threads = 1;
+    const FlowModel model = test::plain_model(0.5, 60, 50);
     Ground ground(ground_surface, {}, {model.spacing, 3, 1000});
     Domain domain(ground);
     auto backend = make_backend(kind, model);
     test::add_block(backend->fluid(), model, {6, 10, 10, 14, 0, 3});
     for (Vec3d& x : backend->fluid().position) x.z += ground_surface.height(x.x, x.y);
-    Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, &domain);
+    Stepper stepper(*backend, test::rule_of(model), &domain);
     while (stepper.time() < 2.5) stepper.step();
     double x = 0;
     for (const Vec3d& p : backend->fluid().position) {

@@ -11,19 +11,16 @@ namespace {
 
 using test::Layer;
 using test::make_hydrostatic;
+using test::plain_model;
+using test::rule_of;
 
 constexpr double g = 9.81;
 
 Layer still_water(int dimension, int cells) {
   Layer layer;
+  layer.model = plain_model(1.0 / cells, 10 * std::sqrt(g), 1);
   layer.model.dimension = dimension;
   layer.cells = cells;
-  layer.model.spacing = 1.0 / cells;
-  layer.model.h = 1.5 * layer.model.spacing;
-  layer.model.state = {1000, 10 * std::sqrt(g)};
-  layer.model.gravity = {0, 0, -g};
-  layer.model.rheology = Newtonian{1};
-  layer.model.threads = 1;
   return layer;
 }
 
@@ -70,7 +67,7 @@ TEST(Rest, AClosedBoxKeepsItsWater) {
                                  {0, 20, -3, 0, 0, 16},
                                  {0, 20, 10, 13, 0, 16}})
     test::add_block(backend->boundary(), model, wall);
-  Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+  Stepper stepper(*backend, rule_of(model), nullptr);
   while (stepper.time() < 1) stepper.step();
   EXPECT_EQ(backend->fluid().size(), 2000u);
   for (const Vec3d& x : backend->fluid().position) {
@@ -83,19 +80,14 @@ TEST(Rest, AClosedBoxKeepsItsWater) {
 // compression and heat. Density diffusion, which takes energy as well, is off; the small rest goes
 // into the walls, whose density is clamped.
 TEST(Energy, IsAccountedForWhileABlockSlumps) {
-  FlowModel model;
+  FlowModel model = plain_model(0.05, 30, 100);
   model.dimension = 2;
-  model.spacing = 0.05;
-  model.h = 0.075;
-  model.state = {1000, 30};
-  model.rheology = Newtonian{100};
   model.density_diffusion = 0;
-  model.threads = 1;
   auto backend = make_backend(BackendKind::cpu, model);
   test::add_block(backend->fluid(), model, {-10, 10, 0, 1, 0, 20});
   test::add_block(backend->boundary(), model, {-40, 40, 0, 1, -3, 0});
   make_hydrostatic(*backend, g, 1.0);
-  Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+  Stepper stepper(*backend, rule_of(model), nullptr);
   const auto energy = [&] { return energy_of(backend->fluid(), model.gravity, model.state); };
   const auto elastic_in_wall = [&] {
     return energy_of(backend->boundary(), model.gravity, model.state).elastic;
@@ -111,19 +103,14 @@ TEST(Energy, IsAccountedForWhileABlockSlumps) {
 }
 
 TEST(FreeFall, KeepsToTheParabola) {
-  FlowModel model;
-  model.spacing = 0.1;
-  model.h = 0.15;
-  model.state = {1000, 10};
-  model.rheology = Newtonian{1};
-  model.threads = 1;
+  const FlowModel model = plain_model(0.1, 10, 1);
   for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
     auto backend = make_backend(kind, model);
     test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
     for (Vec3d& v : backend->fluid().velocity) v = {3, 0, 1};
     const Vec3d start = backend->fluid().position[0];
     const std::uint32_t id = backend->fluid().id[0];
-    Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+    Stepper stepper(*backend, rule_of(model), nullptr);
     while (stepper.time() < 0.5) stepper.step(0.5 - stepper.time());
     int hits = 0;
     for (std::size_t i = 0; i < backend->fluid().size(); ++i) {
@@ -138,32 +125,22 @@ TEST(FreeFall, KeepsToTheParabola) {
 }
 
 TEST(Stepper, StopsWhenTheDensityLeavesItsRange) {
-  FlowModel model;
-  model.spacing = 0.1;
-  model.h = 0.15;
-  model.state = {1000, 10};
-  model.rheology = Newtonian{1};
-  model.threads = 1;
+  const FlowModel model = plain_model(0.1, 10, 1);
   auto backend = make_backend(BackendKind::cpu, model);
   test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
   for (std::size_t i = 0; i < backend->fluid().size(); ++i)  // implodes at Mach 1
     backend->fluid().velocity[i] =
         -10.0 * (backend->fluid().position[i] - Vec3d{0.2, 0.2, 0.2}) * 5.0;
-  Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+  Stepper stepper(*backend, rule_of(model), nullptr);
   EXPECT_THROW(for (int k = 0; k < 200; ++k) stepper.step(), RunError);
 }
 
 TEST(Stepper, StopsOnANumberThatIsNone) {
-  FlowModel model;
-  model.spacing = 0.1;
-  model.h = 0.15;
-  model.state = {1000, 10};
-  model.rheology = Newtonian{1};
-  model.threads = 1;
+  const FlowModel model = plain_model(0.1, 10, 1);
   for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
     auto backend = make_backend(kind, model);
     test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
-    Stepper stepper(*backend, {model.h, model.state.c0, 0.2, 0.6}, nullptr);
+    Stepper stepper(*backend, rule_of(model), nullptr);
     stepper.step();
     backend->fluid().velocity[7].y = std::nan("");
     EXPECT_THROW(stepper.step(), RunError);

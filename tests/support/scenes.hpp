@@ -25,6 +25,23 @@ inline void add_particle(Particles& particles, const FlowModel& model, const Vec
   particles.id[i] = static_cast<std::uint32_t>(i);
 }
 
+/// Water-like, in three dimensions: for tests that are not about a material.
+inline FlowModel plain_model(double spacing, double sound_speed, double viscosity) {
+  FlowModel model;
+  model.spacing = spacing;
+  model.h = 1.5 * spacing;
+  model.state = {1000, sound_speed};
+  model.rheology = Newtonian{viscosity};
+  model.threads = 1;
+  return model;
+}
+
+/// The time step rule of the cases, for a model set up by hand.
+inline TimeStepRule rule_of(const FlowModel& model) {
+  return {model.h, model.state.c0, 0.2,
+          default_viscous_cfl(model.viscous_operator, model.as_printed)};
+}
+
 /// Fills the cells [from, to) of the lattice with spacing dp, one particle at each centre. In two
 /// dimensions y = 0.
 struct Cells {
@@ -58,8 +75,7 @@ struct Layer {
     add_block(backend->boundary(), model, {0, period, 0, period, -layers, 0});
     if (has_lid)
       add_block(backend->boundary(), model, {0, period, 0, period, cells, cells + layers});
-    rule = {model.h, model.state.c0, 0.2,
-            default_viscous_cfl(model.viscous_operator, model.as_printed)};
+    rule = rule_of(model);
     return backend;
   }
 };

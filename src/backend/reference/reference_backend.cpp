@@ -14,7 +14,7 @@ FlowModel serial(FlowModel model) {
 
 }  // namespace
 
-ReferenceBackend::ReferenceBackend(FlowModel model) : HostBackend(serial(std::move(model))) {}
+ReferenceBackend::ReferenceBackend(const FlowModel& model) : HostBackend(serial(model)) {}
 
 const Vec3d& ReferenceBackend::position(std::size_t k) const {
   return k < fluid_.size() ? fluid_.position[k] : boundary_.position[k - fluid_.size()];

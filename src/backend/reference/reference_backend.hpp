@@ -8,7 +8,7 @@ namespace sabo {
 /// other backends are tested against it.
 class ReferenceBackend : public HostBackend {
  public:
-  explicit ReferenceBackend(FlowModel model);
+  explicit ReferenceBackend(const FlowModel& model);
 
   /// Nothing is kept, so everything is renewed each step.
   bool neighbours_are_stale(double /*margin*/) const override { return true; }

@@ -35,7 +35,7 @@ std::string png_of(const Image& image) {
   }
   vsi_l_offset size = 0;
   GByte* bytes = VSIGetMemFileBuffer(name.c_str(), &size, true);
-  const std::string png(reinterpret_cast<const char*>(bytes), bytes ? size : 0);
+  std::string png(reinterpret_cast<const char*>(bytes), bytes ? size : 0);
   CPLFree(bytes);
   if (!is_written || png.empty()) {
     throw RunError("cannot draw a picture: " + errors.failure("not enough memory"));
@@ -46,7 +46,7 @@ std::string png_of(const Image& image) {
 std::string data_url_of_png(const std::string& png) {
   char* text =
       CPLBase64Encode(static_cast<int>(png.size()), reinterpret_cast<const GByte*>(png.data()));
-  const std::string url = std::string("data:image/png;base64,") + text;
+  std::string url = std::string("data:image/png;base64,") + text;
   CPLFree(text);
   return url;
 }
