@@ -90,17 +90,25 @@ bool GroundColumns::is_broken(const Foot& foot) const {
   if (!surface_.inside(x, y)) return false;
   if (foot.secant() == steepest_secant) return true;
   const double depth = settings_.layers * settings_.spacing;
-  return z - inset_height(surface_, x, y, depth) > foot.secant() * (depth + settings_.spacing / 2);
+  return std::abs(z - inset_height(surface_, x, y, depth) - foot.secant() * depth) > foot.secant() * settings_.spacing / 2;
 }
 
 /// Halves a piece of a layer until a particle can stand for it.
 void GroundColumns::fill(const Piece& piece, int layer, int halvings,
                          std::vector<GroundPoint>& into) const {
   const double depth = (layer + 0.5) * settings_.spacing;
-  const auto height = [&](double x, double y) { return inset_height(surface_, x, y, depth); };
+  const auto height = [&](double x, double y) {
+    const double inset = inset_height(surface_, x, y, depth);
+    if (layer > 0) return inset;
+    return std::max(inset, inset_height(surface_, x, y, 0.3 * settings_.spacing) - 0.5 * settings_.spacing);
+  };
   const auto& [x, y, width, length] = piece;
-  const double rise_x = height(x + width / 2, y) - height(x - width / 2, y);
-  const double rise_y = height(x, y + length / 2) - height(x, y - length / 2);
+  const double centre = height(x, y);
+  const auto climb = [&](double dx, double dy) {
+    return std::abs(height(x + dx, y + dy) - centre) + std::abs(height(x - dx, y - dy) - centre);
+  };
+  const double rise_x = climb(width / 2, 0);
+  const double rise_y = climb(0, length / 2);
   const double along_x = std::hypot(width, rise_x);
   const double along_y = std::hypot(length, rise_y);
   const double area = std::hypot(width * length, rise_x * length, rise_y * width);
