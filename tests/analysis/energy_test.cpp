@@ -1,10 +1,11 @@
+#include "analysis/energy.hpp"
+
 #include <cmath>
 
 #include "cloud.hpp"
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "analysis/energy.hpp"
 #include "analysis/resolution.hpp"
 
 namespace sabo {

@@ -1,3 +1,5 @@
+#include "analysis/flow_maps.hpp"
+
 #include <cmath>
 #include <limits>
 #include <map>
@@ -5,8 +7,6 @@
 #include "cloud.hpp"
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
-
-#include "analysis/flow_maps.hpp"
 
 namespace sabo {
 namespace {

@@ -1,3 +1,5 @@
+#include "analysis/front.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <random>
@@ -6,7 +8,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "analysis/front.hpp"
 #include "base/error.hpp"
 
 namespace sabo {

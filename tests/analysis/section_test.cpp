@@ -1,8 +1,9 @@
+#include "analysis/section.hpp"
+
 #include "cloud.hpp"
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "analysis/section.hpp"
 #include "analysis/tracks.hpp"
 
 namespace sabo {

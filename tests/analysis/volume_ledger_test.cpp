@@ -1,9 +1,10 @@
+#include "analysis/volume_ledger.hpp"
+
 #include "cloud.hpp"
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include "analysis/tracks.hpp"
-#include "analysis/volume_ledger.hpp"
 
 namespace sabo {
 namespace {

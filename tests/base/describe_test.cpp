@@ -1,9 +1,9 @@
+#include "base/describe.hpp"
+
 #include <array>
 #include <limits>
 
 #include <gtest/gtest.h>
-
-#include "base/describe.hpp"
 
 namespace sabo {
 

@@ -1,7 +1,7 @@
+#include "base/faults.hpp"
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "base/faults.hpp"
 
 namespace sabo {
 namespace {

@@ -1,7 +1,7 @@
+#include "math/sym3.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include "math/sym3.hpp"
 
 namespace sabo {
 namespace {

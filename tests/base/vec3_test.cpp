@@ -1,7 +1,7 @@
+#include "math/vec3.hpp"
+
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
-
-#include "math/vec3.hpp"
 
 namespace sabo {
 namespace {

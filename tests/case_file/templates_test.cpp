@@ -1,10 +1,10 @@
+#include "io/case_file/templates.hpp"
+
 #include <algorithm>
 
 #include "case_file/support.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "io/case_file/templates.hpp"
 
 namespace sabo {
 namespace {

@@ -1,8 +1,8 @@
+#include "io/case_file/text_check.hpp"
+
 #include "case_file/support.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
-
-#include "io/case_file/text_check.hpp"
 
 namespace sabo {
 namespace {

@@ -1,10 +1,11 @@
+#include "io/case_file/write_case.hpp"
+
 #include "case_file/support.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include "io/case_file/models.hpp"
-#include "io/case_file/write_case.hpp"
 
 namespace sabo {
 namespace {
