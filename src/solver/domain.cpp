@@ -1,5 +1,6 @@
 #include "solver/domain.hpp"
 
+#include <algorithm>
 #include <cstdint>
 #include <utility>
 #include <vector>
@@ -14,17 +15,22 @@ void Domain::update(Particles& fluid, Particles& boundary, double reach) {
     const Vec3d& x = fluid.position[i];
     const bool stays = ground_.surface().inside(x.x, x.y);
     (stays ? staying : leaving).push_back(static_cast<std::uint32_t>(i));
-    if (stays && ground_.is_solid(x)) {
-      fluid.position[i] = ground_.pushed_out(x);
-      fluid.velocity[i] = {};
-      ++put_back_count_;
-    }
+    if (stays && ground_.is_solid(x)) put_back(fluid, i);
   }
   if (!leaving.empty()) {
     departed_.append(fluid, leaving);
     fluid.permute(staying);
   }
   ground_.follow(fluid.position, reach, boundary);
+}
+
+void Domain::put_back(Particles& fluid, std::size_t i) {
+  const Vec3d way_out = ground_.pushed_out(fluid.position[i]) - fluid.position[i];
+  fluid.position[i] += way_out;
+  // It may slide on, but not back in.
+  const double inward = std::min(0.0, dot(fluid.velocity[i], way_out));
+  fluid.velocity[i] -= (inward / dot(way_out, way_out)) * way_out;
+  ++put_back_count_;
 }
 
 Particles Domain::take_departed() { return std::exchange(departed_, {}); }

@@ -24,6 +24,8 @@ class Domain {
   const Ground& ground() const { return ground_; }
 
  private:
+  void put_back(Particles& fluid, std::size_t i);
+
   Ground& ground_;
   Particles departed_;
   std::size_t put_back_count_ = 0;

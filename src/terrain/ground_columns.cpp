@@ -11,8 +11,10 @@ namespace {
 constexpr double longest_stretch = 1.25;  // of the lattice along the ground before a split
 constexpr int most_parts = 4;             // of a column, per direction
 constexpr double steepest_secant = 3;     // 1 / cos(slope): at cliffs layers stop growing apart
-constexpr double largest_piece = 1.414;   // of a layer along itself, in squares of the spacing
-constexpr int most_halvings = 6;          // of a column
+constexpr double largest_piece = 1.2;     // of a layer of broken ground, in squared spacings
+constexpr int most_halvings = 6;          // of a column of broken ground
+constexpr double crest_depth = 0.3;       // of the first particle in a crest thinner than a
+constexpr double crest_gap = 0.35;        // spacing; and by how much the first layer may miss it
 
 /// Parts into which a slope splits a column.
 int parts(double slope) {
@@ -61,9 +63,9 @@ void GroundColumns::make(std::int64_t i, std::int64_t j, bool beyond_edge,
   Foot whole;
   if (!find_foot(i, j, beyond_edge, whole)) return;
   if (is_broken(whole)) {
+    const Piece column{whole.point.x, whole.point.y, settings_.spacing, settings_.spacing};
     for (int layer = 0; layer < settings_.layers; ++layer) {
-      fill({whole.point.x, whole.point.y, settings_.spacing, settings_.spacing}, layer,
-           most_halvings, into);
+      fill(column, layer, most_halvings, into);
     }
     return;
   }
@@ -84,39 +86,42 @@ void GroundColumns::make(std::int64_t i, std::int64_t j, bool beyond_edge,
   }
 }
 
-/// Whether the shell of ground under a column is another than that of its tangent plane.
+/// Whether the shell under a column is half a layer thicker or thinner than its tangent plane says.
 bool GroundColumns::is_broken(const Foot& foot) const {
   const auto& [x, y, z] = foot.point;
   if (!surface_.inside(x, y)) return false;
   if (foot.secant() == steepest_secant) return true;
   const double depth = settings_.layers * settings_.spacing;
-  return std::abs(z - inset_height(surface_, x, y, depth) - foot.secant() * depth) > foot.secant() * settings_.spacing / 2;
+  const double thickness = (z - inset_height(surface_, x, y, depth)) / foot.secant();
+  return std::abs(thickness - depth) > settings_.spacing / 2;
 }
 
-/// Halves a piece of a layer until a particle can stand for it.
+/// Elevation of a layer in broken ground: the surface moved inwards.
+double GroundColumns::layer_height(double x, double y, int layer) const {
+  const double height = inset_height(surface_, x, y, (layer + 0.5) * settings_.spacing);
+  if (layer > 0) return height;
+  // A crest too thin to hold a point half a spacing deep would stay empty.
+  const double crest = inset_height(surface_, x, y, crest_depth * settings_.spacing);
+  return std::max(height, crest - crest_gap * settings_.spacing);
+}
+
+/// Puts particles on a piece of a layer; halves it until one can stand for it.
 void GroundColumns::fill(const Piece& piece, int layer, int halvings,
                          std::vector<GroundPoint>& into) const {
-  const double depth = (layer + 0.5) * settings_.spacing;
-  const auto height = [&](double x, double y) {
-    const double inset = inset_height(surface_, x, y, depth);
-    if (layer > 0) return inset;
-    return std::max(inset, inset_height(surface_, x, y, 0.3 * settings_.spacing) - 0.5 * settings_.spacing);
-  };
   const auto& [x, y, width, length] = piece;
-  const double centre = height(x, y);
+  const double z = layer_height(x, y, layer);
   const auto climb = [&](double dx, double dy) {
-    return std::abs(height(x + dx, y + dy) - centre) + std::abs(height(x - dx, y - dy) - centre);
+    return std::abs(layer_height(x + dx, y + dy, layer) - z) +
+           std::abs(layer_height(x - dx, y - dy, layer) - z);
   };
-  const double rise_x = climb(width / 2, 0);
-  const double rise_y = climb(0, length / 2);
-  const double along_x = std::hypot(width, rise_x);
-  const double along_y = std::hypot(length, rise_y);
-  const double area = std::hypot(width * length, rise_x * length, rise_y * width);
+  const double climb_x = climb(width / 2, 0);
+  const double climb_y = climb(0, length / 2);
+  const double area = norm(Vec3d{width * length, climb_x * length, climb_y * width});
   const double largest = largest_piece * settings_.spacing * settings_.spacing;
   if (area <= largest || halvings == 0) {
-    into.push_back(
-        {{x, y, height(x, y)}, settings_.density * settings_.spacing * std::min(area, largest)});
-  } else if (along_x >= along_y) {
+    const double mass = settings_.density * settings_.spacing * std::min(area, largest);
+    into.push_back({{x, y, z}, mass});
+  } else if (std::hypot(width, climb_x) >= std::hypot(length, climb_y)) {
     fill({x - width / 4, y, width / 2, length}, layer, halvings - 1, into);
     fill({x + width / 4, y, width / 2, length}, layer, halvings - 1, into);
   } else {

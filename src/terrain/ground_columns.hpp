@@ -29,6 +29,11 @@ struct GroundPoint {
 /// the slope would stretch the lattice beyond about 1.25 spacings along the ground, a column is
 /// split. A particle's mass is density x (area of its column in plan) x (vertical distance of
 /// layers), so that the layers fill the ground exactly.
+///
+/// Broken ground (cliffs, sharp edges, steps, one-cell noise) has no tangent plane that holds for
+/// the depth of the layers. There layer k is the surface moved (k + 1/2) spacings inwards, see
+/// inset_height(), cut into pieces of about one squared spacing along itself, a particle in the
+/// middle of each; its mass is density x spacing x area of its piece.
 class GroundColumns {
  public:
   GroundColumns(const Surface& surface, const GroundSettings& settings);
@@ -51,6 +56,7 @@ class GroundColumns {
   bool find_foot(std::int64_t i, std::int64_t j, bool beyond_edge, Foot& foot) const;
   double slope(double x, double y, double dx, double dy) const;
   bool is_broken(const Foot& foot) const;
+  double layer_height(double x, double y, int layer) const;
   void fill(const Piece& piece, int layer, int halvings, std::vector<GroundPoint>& into) const;
 
   double centre(std::int64_t k) const { return (k + 0.5) * settings_.spacing; }

@@ -21,6 +21,9 @@ double turn(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
   return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
 }
 
+/// How far the origin is outside [low, high].
+double outside(double low, double high) { return std::max({low, -high, 0.0}); }
+
 /// Centre of the ball under the origin that touches an edge; infinite if the edge is out of reach.
 double below_edge(const Vec3d& a, const Vec3d& b, double depth) {
   const Vec3d along = b - a;
@@ -71,13 +74,17 @@ double inset_height(const Surface& surface, double x, double y, double depth) {
       };
       const Vec3d north_west = vertex(column, row);
       const Vec3d south_east = vertex(column + 1, row + 1);
+      const double apart =
+          norm(Vec3d{outside(north_west.x, south_east.x), outside(south_east.y, north_west.y), 0});
+      if (apart >= depth) continue;
+      const double drop = std::sqrt(depth * depth - apart * apart);  // from there, at most
       const Vec3d north_east = vertex(column + 1, row);
       const Vec3d south_west = vertex(column, row + 1);
       for (const auto& corners : {std::array{north_west, south_east, north_east},
                                   std::array{north_west, south_west, south_east}}) {
         const double heights = corners[0].z + corners[1].z + corners[2].z;
         if (!std::isfinite(heights)) continue;
-        if (std::min({corners[0].z, corners[1].z, corners[2].z}) - depth >= lowest) continue;
+        if (std::min({corners[0].z, corners[1].z, corners[2].z}) - drop >= lowest) continue;
         lowest = std::min(lowest, below_triangle(corners, depth));
       }
     }

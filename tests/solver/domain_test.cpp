@@ -49,6 +49,7 @@ TEST(Domain, PutsBackWhatIsBelowTheGroundAndCountsIt) {
   EXPECT_EQ(domain.put_back_count(), 1u);
   EXPECT_GE(fluid.position[0].z, 0);
   EXPECT_NEAR(fluid.position[0].z, 0, 0.01);
+  EXPECT_NEAR(norm(fluid.velocity[0] - Vec3d{1, 1, 0}), 0, 1e-12);  // it slides on
   EXPECT_EQ(fluid.position[1].z, 0.2);
   EXPECT_EQ(fluid.velocity[1], (Vec3d{1, 1, -1}));
 }
