@@ -209,7 +209,7 @@ TEST(Boundary, TakesThePressureOfTheFluidCarriedAlongGravity) {
 
 TEST(CpuBackend, RefusesAPeriodShorterThanTwoKernels) {
   FlowModel model = model_of({});
-  model.periodic.period[0] = {0.65, 0, 0};  // 4.33 h; two images fit below 4.4 h
+  model.periodic.period[0] = {0.65, 0, 0};  // 4.33 h; two images fit below 4.6 h
   EXPECT_ANY_THROW(make_backend(BackendKind::cpu, model));
 }
 

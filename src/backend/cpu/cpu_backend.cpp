@@ -30,7 +30,7 @@ void parallel_blocks(std::size_t count, int threads, const F& f) {
 }  // namespace
 
 CpuBackend::CpuBackend(const FlowModel& model, const PairSweeps& sweeps)
-    : HostBackend(model), sweeps_(sweeps), skin_(0.2 * model.h) {
+    : HostBackend(model), sweeps_(sweeps), skin_(0.3 * model.h) {
   // Otherwise two images of one particle could both be listed.
   const double shortest = 2 * (model.kernel_radius() + skin_);
   for (int axis = 0; axis < 3; ++axis)

@@ -47,10 +47,17 @@ void NeighbourSearch::append_near(const ColumnGrid& grid, const std::vector<Vec3
   for (const Vec3d& shift : shifts_) {
     const Vec3d image = x + shift;
     grid.for_each_run(cloud, image, radius_, [&](std::uint32_t first, std::uint32_t last) {
+      // Three of four candidates are too far, in no order a processor could predict: write each,
+      // keep the near ones.
+      const std::size_t before = list.size();
+      list.resize(before + (last - first));
+      std::uint32_t* end = list.data() + before;
       for (std::uint32_t j = first; j < last; ++j) {
         const Vec3d d = image - cloud[j];
-        if (dot(d, d) < radius2 && offset + j != self) list.push_back(offset + j);
+        *end = offset + j;
+        end += static_cast<int>(dot(d, d) < radius2) & static_cast<int>(offset + j != self);
       }
+      list.resize(static_cast<std::size_t>(end - list.data()));
     });
   }
 }
