@@ -50,8 +50,9 @@ TEST_F(RunCommand, ReplacesARunOnlyWhenTold) {
 }
 
 TEST_F(RunCommand, WritesItsResultsWhenInterrupted) {
+  // Without --foreground the program would get the signal twice, as if one pressed Ctrl-C again.
   for (const std::string signal : {"INT", "TERM"}) {
-    const Outcome run = in_folder("timeout --preserve-status -s " + signal +
+    const Outcome run = in_folder("timeout --foreground --preserve-status -s " + signal +
                                   " 3 \"" SABO_PROGRAM "\" run demo -o " + signal +
                                   " --spacing 4 --duration 1e5 --threads 1");
     EXPECT_EQ(run.code, 130) << run.text;
