@@ -36,8 +36,8 @@ class HostBackend : public Backend {
  protected:
   /// Lists the pairs of the present positions, reordering the particles if it likes.
   virtual void list_pairs() = 0;
-  /// Fluid particles within the kernel of boundary particle b; duplicates and others may be among
-  /// them only if they are too far to count.
+  /// Appends each fluid particle within the kernel of boundary particle b, once; some that are a
+  /// little farther may be among them.
   virtual void fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const = 0;
 
   int threads() const { return threads_; }
