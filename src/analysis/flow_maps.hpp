@@ -1,23 +1,16 @@
 #pragma once
 
-#include <cstddef>
 #include <vector>
 
-#include "analysis/spreader.hpp"
-#include "particles/particles.hpp"
-#include "terrain/raster.hpp"
+#include "analysis/columns.hpp"
 
 namespace sabo {
 
-/// Maps of a run on the grid of the DEM. Depth is vertical: the volume over a cell (mass /
-/// reference density, see Spreader) by its area, so that the sum of depth x area is the particles'
-/// volume to rounding. An update costs as much as the particles and their footprints, whatever the
-/// grid.
+/// Maps of a run on the grid of the DEM.
 class FlowMaps {
  public:
-  /// Depth from which a cell counts as wet, m: for arrival, and for speed, which means nothing
-  /// where the edge of a footprint leaves a film.
-  static constexpr double wet_depth = 0.05;
+  /// From here on a cell counts as wet, m: for arrival, speed and pressure.
+  static constexpr double wet_depth = Columns::wet_depth;
 
   /// Cells where `elevation` is NaN are outside the domain. `spacing` in m, density in kg/m3.
   FlowMaps(const Raster& elevation, double spacing, double reference_density);
@@ -26,22 +19,21 @@ class FlowMaps {
   /// that the fastest particle passes between two calls.
   void update(double time, const Particles& particles);
 
+  /// State at the last update.
+  const Columns& columns() const { return columns_; }
+
   // All maps are NaN outside the domain.
-  Raster peak_depth() const;    ///< greatest depth so far, m
-  Raster peak_speed() const;    ///< greatest mass-weighted mean speed while wet, m/s
+  Raster peak_depth() const;     ///< greatest depth so far, m
+  Raster peak_speed() const;     ///< greatest mass-weighted mean speed while wet, m/s
+  Raster peak_pressure() const;  ///< greatest pressure of a particle in the column while wet, Pa
   Raster arrival_time() const;  ///< time at which the cell was first wet, s; NaN where it never was
   Raster depth() const;         ///< depth at the last update, m
 
  private:
-  Raster masked(const std::vector<double>& values) const;
-
-  Spreader spreader_;
-  double reference_density_;
-  std::vector<double> volume_;        // m3 in the cell at the last update
-  std::vector<double> transport_;     // volume x speed, m4/s
-  std::vector<std::size_t> touched_;  // cells that hold volume
+  Columns columns_;
   std::vector<double> peak_depth_;
   std::vector<double> peak_speed_;
+  std::vector<double> peak_pressure_;
   std::vector<double> arrival_time_;
 };
 

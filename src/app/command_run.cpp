@@ -8,6 +8,7 @@
 #include "app/messages.hpp"
 #include "app/progress_display.hpp"
 #include "app/stop_signals.hpp"
+#include "run/load_case.hpp"
 #include "run/simulation.hpp"
 
 namespace sabo {
@@ -46,7 +47,7 @@ int report(const RunResult& result) {
 int run(const RunCommandOptions& options) {
   const std::atomic<bool>& stop = catch_stop_signals();
   Faults faults;
-  const Case c = read_case(options.case_path, faults, options.overrides);
+  const Case c = load_case(options.case_path, faults, options.overrides);
   faults.throw_if_any();
 
   RunOptions run_options;
@@ -68,7 +69,9 @@ int run(const RunCommandOptions& options) {
 void add_run_command(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand("run", "Run a case");
   const auto options = std::make_shared<RunCommandOptions>();
-  command->add_option("CASE", options->case_path, "case file, or folder with a case.toml")
+  command
+      ->add_option("CASE", options->case_path,
+                   "case file, folder with a case.toml, or AvaFrame project")
       ->required()
       ->type_name("");
   command

@@ -20,6 +20,7 @@ constexpr const char* examples = R"(Examples:
   sabo new yohutagawa demo                   write an example with its input files
   sabo check demo                            what the case holds, and what is wrong with it
   sabo run demo --spacing 1.5 --duration 60  run it, coarser and shorter than it says
+  sabo plot demo-run --times 10,30,60        draw the flow at these times
   sabo info demo-run                         what came out
 
 Exit codes: 0 done, 2 the case or the command line is wrong, 3 the run failed, 130 interrupted.)";
@@ -32,6 +33,7 @@ void describe_program(CLI::App& program, Action& action) {
   add_new_command(program, action);
   add_check_command(program, action);
   add_run_command(program, action);
+  add_plot_command(program, action);
   add_info_command(program, action);
   add_models_command(program, action);
 }

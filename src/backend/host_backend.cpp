@@ -68,7 +68,9 @@ void HostBackend::stress_of(const Law& law, Particles& particles, std::size_t of
     const Sym3<double>& eps = strain_[offset + i];
     const double p = particles.pressure[i];
     const double gd = convention * shear_rate(eps);
-    const double mu = law.viscosity(gd, Law::has_yield ? yield(p, slope) : 0);
+    const Shear at =
+        Law::has_yield ? Shear{gd, yield(p, slope), yield.effective_pressure(p)} : Shear{gd};
+    const double mu = law.viscosity(at);
     const double rho2 = particles.density[i] * particles.density[i];
     particles.shear_rate[i] = gd;
     particles.viscosity[i] = mu;

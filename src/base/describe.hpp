@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <string_view>
+#include <type_traits>
 
 namespace sabo {
 
@@ -54,6 +55,13 @@ struct Key {
 template <class T>
 concept Described = requires(T& described) {
   described.describe(0);
+};
+
+/// Visitors that set what they visit say so (`static constexpr bool sets_members = true`): only for
+/// them one member may decide the default of another.
+template <class V>
+concept SetsMembers = requires {
+  requires std::remove_reference_t<V>::sets_members;
 };
 
 /// The words of an enumeration in the order of its values; each enum that a user may set

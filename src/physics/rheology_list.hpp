@@ -7,8 +7,14 @@
 
 #include "physics/rheology/bingham.hpp"
 #include "physics/rheology/cross.hpp"
+#include "physics/rheology/frigaard_nouar.hpp"
 #include "physics/rheology/general_cross.hpp"
+#include "physics/rheology/herschel_bulkley.hpp"
+#include "physics/rheology/mu_i.hpp"
 #include "physics/rheology/newtonian.hpp"
+#include "physics/rheology/papanastasiou.hpp"
+#include "physics/rheology/quadratic.hpp"
+#include "physics/rheology/threshold.hpp"
 
 namespace sabo {
 
@@ -16,9 +22,12 @@ namespace sabo {
 ///   name, summary          words of the case file and of `sabo models`
 ///   has_yield              whether the keys of MohrCoulomb apply
 ///   describe(v)            its parameters
-///   viscosity(gd, tau_B)   effective viscosity, Pa s, at shear rate gd (1/s) and yield stress (Pa)
+///   viscosity(shear)       effective viscosity, Pa s, at a shear rate, yield stress and pressure
 ///   max_viscosity()        upper bound of viscosity(), Pa s
-using Rheology = std::variant<Cross, Bingham, GeneralCross, Newtonian>;
+/// Beside its line here a law has a page, docs/rheology/NAME.md, and a table of expected values,
+/// tests/physics/rheology/NAME.csv; both are looked for by the tests.
+using Rheology = std::variant<Cross, Bingham, FrigaardNouar, Threshold, Papanastasiou,
+                              HerschelBulkley, Quadratic, MuI, GeneralCross, Newtonian>;
 
 inline std::string_view name_of(const Rheology& law) {
   return std::visit([](const auto& l) { return std::string_view(l.name); }, law);

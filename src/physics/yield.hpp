@@ -31,6 +31,11 @@ struct MohrCoulomb {
     return (1 - pore_pressure_ratio) * std::tan(friction_angle * 3.14159265358979323846 / 180);
   }
 
+  /// Pressure between the grains at pressure p, Pa; suction counts as none.
+  SABO_HD double effective_pressure(double p) const {
+    return (1 - pore_pressure_ratio) * (p > 0 ? p : 0);
+  }
+
   /// Yield stress at pressure p, Pa; suction adds nothing.
   SABO_HD double operator()(double p, double slope_value) const {
     return cohesion + slope_value * (p > 0 ? p : 0);

@@ -11,7 +11,8 @@
 #include "io/case_file/write_case.hpp"
 #include "io/output/checksum.hpp"
 #include "io/output/file.hpp"
-#include "run/volume_table.hpp"
+#include "run/input_files.hpp"
+#include "run/tables.hpp"
 
 namespace sabo {
 namespace {
@@ -23,14 +24,8 @@ const char* verb_of(RunEnd end) {
 
 std::string input_checksums(const Case& c) {
   std::string text = "\n[inputs]  # CRC-32\n";
-  std::vector<std::filesystem::path> files{c.terrain.dem, c.release.polygon.file,
-                                           c.release.thickness_raster, c.release.points,
-                                           c.path.line.file};
-  for (const StructureCase& structure : c.structures) files.push_back(structure.line.file);
-  for (const SectionCase& section : c.sections) files.push_back(section.line.file);
-  for (const std::filesystem::path& file : files)
-    if (!file.empty())
-      text += toml_string(file.string()) + " = " + toml_string(checksum(file)) + "\n";
+  for (const std::filesystem::path& file : input_files(c))
+    text += toml_string(file.string()) + " = " + toml_string(checksum(file)) + "\n";
   return text;
 }
 
@@ -43,8 +38,23 @@ std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
   return text;
 }
 
+std::string zone_text(const ZoneCase& c, const ZoneDepth& zone) {
+  return fmt::format(
+      "\n[[zones]]\nzone = {}\nmean_wet = {:.4f}\nmean_all = {:.4f}\ngreatest = {:.4f}\n"
+      "wet_area = {:.1f}\nvolume = {:.3f}\n",
+      toml_string(c.name), zone.mean_wet, zone.mean_all, zone.greatest, zone.wet_area, zone.volume);
+}
+
 /// How far a is from b, in percent to four digits and without a negative zero.
 double percent(double a, double b) { return b > 0 ? std::round(1e6 * (a / b - 1)) / 1e4 + 0.0 : 0; }
+
+std::vector<PageTable> result_tables(const Case& c, const Scene& scene,
+                                     const std::vector<SeriesRow>& rows) {
+  if (rows.empty()) return {};
+  std::vector<PageTable> tables = volume_tables(c, scene, rows.back());
+  if (!c.zones.empty()) tables.push_back(zone_table(c, rows.back()));
+  return tables;
+}
 
 }  // namespace
 
@@ -66,6 +76,9 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
   if (!rows.empty())
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
       text += "\n[[volumes]]\n" + volumes(scene, rows.back().volumes[k], k);
+  if (!rows.empty())
+    for (std::size_t k = 0; k < c.zones.size(); ++k)
+      text += zone_text(c.zones[k], rows.back().zones[k]);
   text += fmt::format(
       "\n[maps]\nraster_volume = {:.3f}\nparticle_volume = {:.3f}\n"
       "\n[resolution]\nwet_area = {:.1f}\nmedian_layers = {:.2f}\nthin_share = {:.3f}\n",
@@ -83,8 +96,8 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
                                 facts.simulated, c.run.duration, facts.reason.empty() ? "" : ": ",
                                 facts.reason));
   if (!c.note.empty()) lines.push_back("Note: " + c.note);
-  if (!rows.empty())
-    for (const std::string& line : volume_table_text(c, scene, rows.back())) lines.push_back(line);
+  for (const PageTable& table : result_tables(c, scene, rows))
+    for (const std::string& line : text_of(table)) lines.push_back(line);
   lines.push_back(fmt::format(
       "Map volume {:.1f} m3, particle volume {:.1f} m3, difference {:.4f} %", facts.raster_volume,
       facts.particle_volume, percent(facts.raster_volume, facts.particle_volume)));
@@ -137,17 +150,21 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"Map volume", fmt::format("{:.1f} m3, {:+.4f} % of the particles'", facts.raster_volume,
                                  percent(facts.raster_volume, facts.particle_volume))}};
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
-  if (!rows.empty()) page.tables = volume_tables(c, scene, rows.back());
+  page.tables = result_tables(c, scene, rows);
+  page.tables.push_back(parameter_table(c));
   page.pictures = std::move(pictures);
   page.files = {{"case.toml", "the case with every default"},
                 {"manifest.toml", "version, times, volumes, checksums of the inputs"},
                 {"maps/dep.tif", "depth at the end, m"},
                 {"maps/pfd.tif", "greatest depth, m"},
                 {"maps/pfv.tif", "greatest speed, m/s"},
+                {"maps/ppr.tif", "greatest pressure, kPa"},
                 {"maps/tarr.tif", "arrival time, s"},
+                {"maps/ground.tif", "elevation of the ground as the run used it, m"},
                 {"series/front.csv", "position, displacement and velocity of the front"},
                 {"series/discharge.csv", "discharge through the sections"},
                 {"series/volumes.csv", "released, trapped, beyond, outflow"},
+                {"series/zones.csv", "depth and volume in the zones"},
                 {"series/energy.csv", "mass and energies"},
                 {"series/solver.csv", "time step, speeds, density range, particle counts"},
                 {"frames/flow.pvd", "particles as a time series for ParaView"},

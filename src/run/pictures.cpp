@@ -6,6 +6,7 @@
 #include "io/output/file.hpp"
 #include "io/output/map_picture.hpp"
 #include "io/output/svg_chart.hpp"
+#include "run/overlay.hpp"
 
 namespace sabo {
 namespace {
@@ -17,13 +18,9 @@ Raster in_crs(Raster raster, const Frame& frame) {
   return raster;
 }
 
-std::vector<MapLine> overlay(const Scene& scene) {
-  std::vector<MapLine> lines;
-  lines.push_back({MapLine::Kind::path, "", scene.path});
-  for (const CheckDam& dam : scene.dams) lines.push_back({MapLine::Kind::dam, dam.name, dam.axis});
-  for (const NamedSection& section : scene.sections)
-    lines.push_back({MapLine::Kind::section, section.name, section.line});
-  return lines;
+Raster in_kilopascal(Raster raster) {
+  for (double& value : raster.values) value /= 1000;
+  return raster;
 }
 
 ChartSeries series_of(const std::vector<SeriesRow>& rows, std::string name,
@@ -69,6 +66,9 @@ void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& al
        "Greatest depth of the flow (maps/pfd.tif)");
   draw("peak_speed.svg", "Greatest speed", "speed [m/s]", maps.peak_speed, 0.01,
        "Greatest speed of the flow (maps/pfv.tif)");
+  draw("peak_pressure.svg", "Greatest pressure", "pressure [kPa]",
+       in_kilopascal(maps.peak_pressure), 0.01,
+       "Greatest pressure in the column of the flow (maps/ppr.tif)");
   draw("arrival.svg", "Arrival", "time [s]", maps.arrival, 0,
        "Time at which the flow arrived (maps/tarr.tif)");
 }
@@ -120,6 +120,11 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
   write("dep.tif", maps.deposit, "vertical depth at the end of the run", "m");
   write("pfd.tif", maps.peak_depth, "greatest vertical depth", "m");
   write("pfv.tif", maps.peak_speed, "greatest mass-weighted mean speed of the column", "m/s");
+  write("ppr.tif", in_kilopascal(maps.peak_pressure),
+        "greatest pressure of a particle in the column, where the flow is 0.05 m deep or more",
+        "kPa");
+  write("ground.tif", scene.surface->elevation(), "elevation of the ground as the run used it",
+        "m");
   write("tarr.tif", maps.arrival, "first time with a depth of 0.05 m or more", "s");
 }
 

@@ -8,12 +8,13 @@
 
 namespace sabo {
 
-/// The four maps of a run in CRS coordinates.
+/// The maps of a run, in the solver frame.
 struct RunMaps {
-  Raster deposit;     ///< dep, m
-  Raster peak_depth;  ///< pfd, m
-  Raster peak_speed;  ///< pfv, m/s
-  Raster arrival;     ///< tarr, s
+  Raster deposit;        ///< dep, m
+  Raster peak_depth;     ///< pfd, m
+  Raster peak_speed;     ///< pfv, m/s
+  Raster peak_pressure;  ///< ppr, Pa; kPa in its file and picture
+  Raster arrival;        ///< tarr, s
 };
 
 /// Writes the maps as GeoTIFF.

@@ -11,8 +11,11 @@
 #include <fmt/format.h>
 
 #include "analysis/resolution.hpp"
+#include "analysis/zone.hpp"
+#include "case/material_presets.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
+#include "physics/viscosity_of_concentration.hpp"
 #include "run/memory_estimate.hpp"
 #include "solver/flow_model.hpp"
 
@@ -68,6 +71,7 @@ void tell_terrain(Preview& preview, const Scene& scene) {
   }
   preview.line("Terrain", fmt::format("elevation {:.1f} to {:.1f} m", lowest, highest));
 
+  for (const std::string& note : scene.dem_notes) preview.line("Terrain", note);
   const HoleReport& holes = scene.holes;
   if (holes.holes_filled > 0) {
     preview.line("Terrain", fmt::format("holes filled: {} with {} cells", holes.holes_filled,
@@ -82,6 +86,21 @@ void tell_terrain(Preview& preview, const Scene& scene) {
         "{} holes of the DEM with {} cells are too large to fill (terrain.fill_holes): what flows "
         "into them leaves the domain",
         holes.holes_left, holes.enclosed_cells_left));
+  }
+}
+
+void tell_edits(Preview& preview, const Scene& scene) {
+  for (const MadeEdit& edit : scene.edits) {
+    const EditReport& report = edit.report;
+    preview.line("Edits",
+                 fmt::format("{}: {} cells, {:.0f} m3 cut, {:.0f} m3 filled, by up to "
+                             "{:.2f} m",
+                             report.name, report.cells, report.cut, report.fill, report.greatest));
+  }
+  if (scene.lost) {
+    preview.line("Edits", fmt::format("the ground under the release is {:.0f} m3 lower: that of "
+                                      "dem_after",
+                                      scene.lost->dug));
   }
 }
 
@@ -155,6 +174,10 @@ void tell_lines(Preview& preview, const Case& c, const Scene& scene) {
   for (const NamedSection& section : scene.sections) {
     preview.line("Sections", fmt::format("{}: {:.1f} m long", section.name, length(section.line)));
   }
+  for (std::size_t k = 0; k < scene.zones.size(); ++k) {
+    const double area = Zone(scene.surface->elevation(), scene.zones[k].polygons).area();
+    preview.line("Zones", fmt::format("{}: {:.0f} m2", scene.zones[k].name, area));
+  }
   const double run = length(scene.path);
   if (!(run > 0)) return;
   const Vec3d& first = scene.path.vertices.front();
@@ -173,6 +196,20 @@ void tell_lines(Preview& preview, const Case& c, const Scene& scene) {
       yield.pore_pressure_ratio));
 }
 
+/// Where the numbers of the material are from, and why not to trust them blindly.
+void tell_sources(Preview& preview, const MaterialCase& material) {
+  if (const MaterialPreset* preset = find_preset(material.preset.name)) {
+    preview.line("Material", fmt::format("preset {}: {}", preset->name, preset->source));
+    preview.warn(fmt::format("preset {}: {}", preset->name, preset->caution));
+  }
+  if (material.concentration) {
+    preview.warn(fmt::format(
+        "the viscosity of {:.4g} Pa s is 0.621 exp(0.173 x {:g}), in whose source the unit is "
+        "probably mPa s: compare with flows whose speed you know",
+        viscosity_of_concentration(*material.concentration), *material.concentration));
+  }
+}
+
 void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
   const TimeStepRule rule = time_step_rule(c.numerics, model);
   const double speed = c.numerics.reference_speed;
@@ -184,6 +221,7 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
 
   preview.line("Material", fmt::format("{}, {:g} kg/m3, at most {:.3g} Pa s",
                                        name_of(c.material.law), c.material.density, stiffest));
+  tell_sources(preview, c.material);
   preview.line("Numerics", fmt::format("{}, h = {:g} m, sound speed {:.0f} m/s",
                                        word_of(c.numerics.method), model.h, model.state.c0));
   preview.line("Numerics",
@@ -205,6 +243,7 @@ std::string preview_text(const Case& c, const Scene& scene) {
   if (!c.title.empty()) preview.line("Case", c.title);
   if (!c.note.empty()) preview.line("Case", c.note);
   tell_terrain(preview, scene);
+  tell_edits(preview, scene);
   tell_release(preview, c, scene);
   for (const CheckDam& dam : scene.dams) tell_dam(preview, dam, scene, model);
   tell_lines(preview, c, scene);

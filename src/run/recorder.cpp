@@ -25,6 +25,17 @@ std::vector<std::string> volumes_header(const Scene& scene) {
   return header;
 }
 
+std::vector<std::string> zones_header(const Scene& scene) {
+  std::vector<std::string> header{"time [s]"};
+  for (const NamedZone& zone : scene.zones) {
+    header.push_back(zone.name + " mean depth where wet [m]");
+    header.push_back(zone.name + " mean depth [m]");
+    header.push_back(zone.name + " greatest depth [m]");
+    header.push_back(zone.name + " volume [m3]");
+  }
+  return header;
+}
+
 std::vector<VolumeLedger> make_ledgers(const Case& c, const Scene& scene) {
   std::vector<VolumeLedger> ledgers;
   for (const CheckDam& dam : scene.dams)
@@ -49,6 +60,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
                  {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),
       discharge_csv_(folder.series() / "discharge.csv", discharge_header(scene)),
       volumes_csv_(folder.series() / "volumes.csv", volumes_header(scene)),
+      zones_csv_(folder.series() / "zones.csv", zones_header(scene)),
       energy_csv_(folder.series() / "energy.csv",
                   {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
                    "dissipated [J]"}),
@@ -57,6 +69,8 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
           {"time [s]", "step [count]", "time step [s]", "fastest [m/s]", "lowest density ratio",
            "highest density ratio", "fluid [count]", "boundary [count]"}) {
   for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
+  for (const NamedZone& zone : scene.zones)
+    zones_.emplace_back(scene.surface->elevation(), zone.polygons);
   tracks_.advance(scene.release);
   maps_.update(0, scene.release);
 }
@@ -108,11 +122,24 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
 
   front_csv_.append({row.time, row.front.position, row.front.displacement, row.front.velocity});
   discharge_csv_.append(discharge);
+  write_zones(backend.fluid(), row);
   volumes_csv_.append(volumes);
   energy_csv_.append({row.time, row.energy.mass, row.energy.kinetic, row.energy.potential,
                       row.energy.elastic, row.dissipated});
   write_solver_row(stepper, report, backend);
   rows_.push_back(std::move(row));
+}
+
+void Recorder::write_zones(const Particles& fluid, SeriesRow& row) {
+  std::vector<double> values{row.time};
+  if (!zones_.empty()) maps_.update(row.time, fluid);
+  for (const Zone& zone : zones_) {
+    const ZoneDepth depth =
+        zone.measure([this](std::size_t cell) { return maps_.columns().depth(cell); });
+    values.insert(values.end(), {depth.mean_wet, depth.mean_all, depth.greatest, depth.volume});
+    row.zones.push_back(depth);
+  }
+  zones_csv_.append(values);
 }
 
 void Recorder::write_solver_row(const Stepper& stepper, const StepReport& report,

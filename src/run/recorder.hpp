@@ -8,6 +8,7 @@
 #include "analysis/section.hpp"
 #include "analysis/tracks.hpp"
 #include "analysis/volume_ledger.hpp"
+#include "analysis/zone.hpp"
 #include "io/output/csv.hpp"
 #include "run/run_folder.hpp"
 #include "run/scene.hpp"
@@ -22,6 +23,7 @@ struct SeriesRow {
   FrontRow front;
   std::vector<double> discharge;   ///< net, mean since the row before, m3/s
   std::vector<VolumeRow> volumes;  ///< one entry per dam, or one alone without a dam
+  std::vector<ZoneDepth> zones;    ///< one entry per zone
   Energy energy;
   double dissipated = 0;  ///< J
 };
@@ -48,11 +50,13 @@ class Recorder {
   const FlowMaps& maps() const { return maps_; }
 
  private:
+  void write_zones(const Particles& fluid, SeriesRow& row);
   void write_solver_row(const Stepper& stepper, const StepReport& report, Backend& backend);
 
   FlowModel model_;
   Tracks tracks_;
   std::vector<Section> sections_;
+  std::vector<Zone> zones_;
   std::vector<VolumeLedger> ledgers_;
   Front front_;
   FlowMaps maps_;
@@ -61,7 +65,7 @@ class Recorder {
   std::size_t put_back_seen_ = 0;
   bool has_dams_;
   std::vector<SeriesRow> rows_;
-  CsvWriter front_csv_, discharge_csv_, volumes_csv_, energy_csv_, solver_csv_;
+  CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, solver_csv_;
 };
 
 }  // namespace sabo

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +14,7 @@
 #include "terrain/polyline.hpp"
 #include "terrain/raster.hpp"
 #include "terrain/surface.hpp"
+#include "terrain/terrain_edit.hpp"
 
 namespace sabo {
 
@@ -20,13 +23,34 @@ struct NamedSection {
   Polyline line;  ///< solver frame
 };
 
+struct NamedZone {
+  std::string name;
+  std::vector<Polygon> polygons;  ///< solver frame
+};
+
+/// An edit of the ground that was made.
+struct MadeEdit {
+  EditReport report;
+  std::vector<Polygon> polygons;  ///< solver frame
+};
+
+/// Release between a surface before and one after an event.
+struct LostGround {
+  Raster thickness;  ///< m, on the grid of the DEM; NaN where nothing was lost
+  double dug = 0;    ///< m3 by which the ground was lowered to the surface after
+};
+
 /// A case made concrete: its files read, checked and moved to the solver frame.
 struct Scene {
   Frame frame;
   std::unique_ptr<Surface> surface;
+  std::vector<std::string> dem_notes;  ///< what was done to the DEM when it was read
   HoleReport holes;
+  std::vector<MadeEdit> edits;
+  std::optional<LostGround> lost;  ///< of a release by a pair of DEMs
   std::vector<CheckDam> dams;
   std::vector<NamedSection> sections;
+  std::vector<NamedZone> zones;
   Polyline path;                 ///< along the valley
   bool path_is_descent = false;  ///< not given, but found by steepest descent
   Particles release;             ///< at rest, at the density of a column at rest
@@ -38,5 +62,8 @@ struct Scene {
 /// Reads everything a case names. Faults are added, all that can be found at once; the scene is of
 /// use only when there are none.
 Scene make_scene(const Case& c, Faults& faults);
+
+/// Runs one part of the reading; its CaseError joins the other faults, and the result is false.
+bool collected(Faults& faults, const std::function<void()>& part);
 
 }  // namespace sabo

@@ -134,7 +134,8 @@ class Simulation {
     // A state that failed must not leave its mark on the maps.
     if (facts_.end != RunEnd::failed) recorder_.finish(stepper_.time(), backend_->fluid());
     const FlowMaps& flow = recorder_.maps();
-    const RunMaps maps{flow.depth(), flow.peak_depth(), flow.peak_speed(), flow.arrival_time()};
+    const RunMaps maps{flow.depth(), flow.peak_depth(), flow.peak_speed(), flow.peak_pressure(),
+                       flow.arrival_time()};
     const std::vector<SeriesRow>& rows = recorder_.rows();
     fill_facts(maps);
 

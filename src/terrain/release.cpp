@@ -111,10 +111,10 @@ void refuse_points_below(const Surface& surface, const std::vector<Vec3d>& point
 
 }  // namespace
 
-ReleaseShape release_of(std::vector<Polygon> polygons, double thickness) {
+ReleaseShape release_of(std::vector<ThickPolygon> polygons) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
   ReleaseShape shape{{}, infinity, infinity, -infinity, -infinity, 0};
-  for (const Polygon& polygon : polygons) {
+  for (const auto& [polygon, thickness] : polygons) {
     shape.volume += thickness * area(polygon);
     for (const std::vector<Vec3d>& ring : polygon.rings) {
       for (const Vec3d& vertex : ring) {
@@ -129,11 +129,11 @@ ReleaseShape release_of(std::vector<Polygon> polygons, double thickness) {
     throw CaseError("release.polygon", "the release has no volume",
                     "give a polygon with an area, and a thickness above 0");
   }
-  shape.thickness = [polygons = std::make_shared<std::vector<Polygon>>(std::move(polygons)),
-                     thickness](double x, double y) {
-    const bool is_inside = std::any_of(polygons->begin(), polygons->end(),
-                                       [&](const Polygon& p) { return contains(p, x, y); });
-    return is_inside ? thickness : 0.0;
+  shape.thickness = [shared = std::make_shared<std::vector<ThickPolygon>>(std::move(polygons))](
+                        double x, double y) {
+    const auto found = std::ranges::find_if(
+        *shared, [&](const ThickPolygon& p) { return contains(p.polygon, x, y); });
+    return found == shared->end() ? 0.0 : found->thickness;
   };
   return shape;
 }

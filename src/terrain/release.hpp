@@ -17,8 +17,14 @@ struct ReleaseShape {
   double volume = 0;                                    ///< m3
 };
 
-/// Constant thickness (m) over polygons that do not overlap.
-ReleaseShape release_of(std::vector<Polygon> polygons, double thickness);
+/// A polygon and the thickness over it, m.
+struct ThickPolygon {
+  Polygon polygon;
+  double thickness = 0;
+};
+
+/// Polygons that do not overlap.
+ReleaseShape release_of(std::vector<ThickPolygon> polygons);
 
 /// Thickness (m) cell by cell; none where the raster has no data or is negative.
 ReleaseShape release_of(Raster thickness);

@@ -22,8 +22,8 @@ system is reprojected to that of the DEM; a raster in another one is refused.
 
 `sabo new` writes a case to start from, `sabo check CASE` says what it holds and all that is wrong
 with it, `sabo check CASE --defaults` prints it with every default. What the keys of the method do
-to a result is in [method.md](method.md). Of the keys that name a release give one: `polygon`,
-`thickness_raster` or `points`. A dam needs `crest`, `height` or a line with z.
+to a result is in [method.md](method.md). Of the ways to give a release choose one: `polygon`,
+`thickness_raster`, `points`, or `dem_before` with `dem_after`. A dam needs `crest`, `height` or a line with z.
 
 )";
 
@@ -33,13 +33,38 @@ std::string text_of(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// docs/case-file.md says what the program says; with SABO_UPDATE_DOCS it is made to.
-TEST(Documents, CaseFileIsCurrent) {
-  const std::filesystem::path file = repository() / "docs" / "case-file.md";
-  std::string expected = head + keys_markdown();
-  expected.pop_back();  // the empty line at its end
+/// Fails when a document does not hold the expected text; with SABO_UPDATE_DOCS it is made to.
+void expect_current(const std::string& name, const std::string& expected) {
+  const std::filesystem::path file = repository() / "docs" / name;
   if (std::getenv("SABO_UPDATE_DOCS")) std::ofstream(file, std::ios::binary) << expected;
   EXPECT_TRUE(text_of(file) == expected) << file << " is out of date: run `make docs`";
+}
+
+/// The document with what stands between "<!-- mark -->" and the next "<!-- end -->" replaced.
+std::string filled(std::string text, const std::string& mark, const std::string& content) {
+  const std::string begin = "<!-- " + mark + " -->\n";
+  const std::size_t from = text.find(begin);
+  const std::size_t to = text.find("<!-- end -->", from);
+  EXPECT_NE(to, std::string::npos) << "no place for " << mark;
+  if (to == std::string::npos) return text;
+  return text.replace(from + begin.size(), to - from - begin.size(), content);
+}
+
+TEST(Documents, CaseFileIsCurrent) {
+  std::string expected = head + keys_markdown();
+  expected.pop_back();  // the empty line at its end
+  expect_current("case-file.md", expected);
+}
+
+TEST(Documents, PagesOfTheLawsAreCurrent) {
+  for (const Rheology& law : all_rheologies()) {
+    const std::string name = "rheology/" + std::string(name_of(law)) + ".md";
+    const std::string text = text_of(repository() / "docs" / name);
+    expect_current(name, filled(text, "keys", keys_table(list_keys(law))));
+  }
+  const std::string text = text_of(repository() / "docs" / "rheology" / "README.md");
+  expect_current("rheology/README.md",
+                 filled(filled(text, "laws", laws_table("")), "presets", presets_markdown()));
 }
 
 }  // namespace

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/case_file/key_text.hpp"
+
 namespace sabo {
 namespace {
 
@@ -177,15 +179,17 @@ TEST(KeyFaults, Lines) {
 
 TEST(KeyFaults, UnknownRheologyWithoutFaultsThatFollowFromIt) {
   EXPECT_THAT(added("[material]\nrheology = \"cros\"\ntime_constant = 1\nnonsense_key = 2"),
-              ElementsAre("case.toml:12 material.rheology: \"cros\" is not known; give \"cross\", "
-                          "\"bingham\", \"general_cross\" or \"newtonian\"",
+              ElementsAre("case.toml:12 material.rheology: \"cros\" is not known; give " +
+                              words_text(rheology_names()),
                           HasSubstr("case.toml:14 material.nonsense_key: unknown key; remove it")));
 }
 
 TEST(KeyFaults, KeyOfAnotherRheology) {
   EXPECT_THAT(added("[material]\nrheology = \"newtonian\"\ncohesion = 100"),
               ElementsAre("case.toml:13 material.cohesion: is no key of rheology \"newtonian\"; "
-                          "remove it, or choose rheology = \"cross\" or \"bingham\""));
+                          "remove it, or choose rheology = \"cross\", \"bingham\", "
+                          "\"frigaard_nouar\", \"threshold\", \"papanastasiou\", "
+                          "\"herschel_bulkley\", \"quadratic\" or \"mu_i\""));
   EXPECT_THAT(added("[material]\ntime_constant = 1"),
               ElementsAre("case.toml:12 material.time_constant: is no key of rheology \"cross\"; "
                           "remove it, or choose rheology = \"general_cross\""));

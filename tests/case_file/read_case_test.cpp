@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "case/material_presets.hpp"
+#include "io/case_file/write_case.hpp"
+
 namespace sabo {
 namespace {
 
@@ -104,6 +107,64 @@ cohesion = 12
 rheology = "newtonian"
 )");
   EXPECT_EQ(std::get<Newtonian>(water.material.law).mu, Newtonian{}.mu);
+}
+
+TEST(ReadCase, ConcentrationGivesTheViscosityOfTheChosenLaw) {
+  const Case c = read_without_faults(smallest_case + R"([material]
+rheology = "papanastasiou"
+concentration = 44
+)");
+  EXPECT_NEAR(std::get<Papanastasiou>(c.material.law).mu_b, 1255.86, 0.01);
+}
+
+TEST(ReadCase, PresetIsWhereTheOtherKeysStart) {
+  const Case c = read_without_faults(smallest_case + R"([material]
+preset = "mud_glenwood_4"
+rheology = "bingham"  # its own: nothing changes
+viscosity = 50
+)");
+  EXPECT_EQ(c.material.density, 1660);
+  EXPECT_EQ(std::get<Bingham>(c.material.law).mu_b, 50);
+  EXPECT_EQ(c.material.yield.cohesion, 22.9);
+
+  const Case other = read_without_faults(smallest_case + R"([material]
+preset = "mud_glenwood_4"
+rheology = "newtonian"
+)");
+  EXPECT_EQ(std::get<Newtonian>(other.material.law).mu, Newtonian{}.mu);
+}
+
+TEST(ReadCase, EveryPresetReads) {
+  for (const MaterialPreset& preset : material_presets()) {
+    const Case c = read_without_faults(smallest_case + "[material]\npreset = \"" +
+                                       std::string(preset.name) + "\"\n");
+    EXPECT_EQ(c.material.density, preset.density) << preset.name;
+    EXPECT_EQ(c.material.law.index(), preset.law.index()) << preset.name;
+    // Written out and read back its values are within the ranges of their keys.
+    Faults faults;
+    const Case back = read_case_text(write_case(c), "/", faults);
+    for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
+    EXPECT_EQ(write_case(back), write_case(c)) << preset.name;
+  }
+}
+
+TEST(ReadCase, EditsAndZonesGetNames) {
+  const Case c = read_without_faults(smallest_case + R"([[terrain.edit]]
+kind = "lower"
+by = 1.5
+polygon = [[0, 0], [1, 0], [1, 1]]
+[[zone]]
+polygon = "release.gpkg"
+observed = 0.3
+source = "survey"
+)");
+  ASSERT_EQ(c.terrain.edits.size(), 1u);
+  EXPECT_EQ(c.terrain.edits[0].name, "edit 1");
+  EXPECT_EQ(c.terrain.edits[0].kind, TerrainEditKind::lower);
+  EXPECT_EQ(c.terrain.edits[0].by, 1.5);
+  ASSERT_EQ(c.zones.size(), 1u);
+  EXPECT_EQ(c.zones[0].name, "zone 1");
+  EXPECT_EQ(c.zones[0].observed, 0.3);
 }
 
 TEST(ReadCase, OtherWaysOfTomlMeanTheSame) {

@@ -19,22 +19,55 @@ std::vector<std::string> dam(const std::string& keys) {
 }
 
 TEST(Rules, OneWayOfRelease) {
-  EXPECT_THAT(release(""), ElementsAre("case.toml:3 release: nothing is released; "
-                                       "give one of polygon, thickness_raster and points"));
+  EXPECT_THAT(release(""),
+              ElementsAre("case.toml:3 release: nothing is released; "
+                          "give one of polygon, thickness_raster, points, and dem_before "
+                          "with dem_after"));
   EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = 1\npoints = \"points.txt\"\n"),
               ElementsAre("case.toml:3 release: the release is given in more than one way; "
-                          "give one of polygon, thickness_raster and points"));
+                          "give one of polygon, thickness_raster, points, and dem_before "
+                          "with dem_after"));
 }
 
 TEST(Rules, PolygonHasThicknessOrVolume) {
   EXPECT_THAT(release("polygon = \"release.gpkg\"\n"),
               ElementsAre("case.toml:4 release.polygon: has no thickness and no volume; "
-                          "give one of the two"));
+                          "give thickness, thickness_attribute or volume"));
   EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = 1\nthickness = 1\n"),
               ElementsAre("case.toml:4 release.polygon: has a thickness and a volume; "
                           "give one of the two"));
   EXPECT_THAT(release("polygon = [[0, 0], [1, 0], [1, 1]]\nthickness = 1\nnormal = true\n"),
               IsEmpty());
+}
+
+TEST(Rules, ThicknessMayComeFromAnAttribute) {
+  EXPECT_THAT(release("polygon = \"release.gpkg\"\nthickness_attribute = \"d0\"\n"), IsEmpty());
+  EXPECT_THAT(release("polygon = \"release.gpkg\"\nthickness_attribute = \"d0\"\nvolume = 1\n"),
+              IsEmpty());
+  EXPECT_THAT(
+      release("polygon = \"release.gpkg\"\nthickness = 1\nthickness_attribute = \"d0\"\n"),
+      ElementsAre("case.toml:6 release.thickness_attribute: the polygon has a thickness too; "
+                  "give one of the two"));
+  EXPECT_THAT(release("polygon = [[0, 0], [1, 0], [1, 1]]\nthickness_attribute = \"d0\"\n"),
+              ElementsAre("case.toml:5 release.thickness_attribute: a polygon given by coordinates "
+                          "has no attributes; give thickness"));
+}
+
+TEST(Rules, DemsBeforeAndAfterAreAPair) {
+  const std::string both = "dem_before = \"dem.tif\"\ndem_after = \"release.tif\"\n";
+  EXPECT_THAT(release(both), IsEmpty());
+  EXPECT_THAT(release(both + "polygon = \"release.gpkg\"\nleast_thickness = 0.5\n"), IsEmpty());
+  EXPECT_THAT(release("dem_before = \"dem.tif\"\n"),
+              ElementsAre("case.toml:4 release.dem_before: is one of a pair; give dem_after too"));
+  EXPECT_THAT(
+      release(both + "thickness = 1\nnormal = true\n"),
+      ElementsAre("case.toml:7 release.normal: does not apply to a difference of elevations;"
+                  " remove it",
+                  "case.toml:6 release.thickness: applies to a polygon only; remove it"));
+  EXPECT_THAT(
+      release("thickness_raster = \"release.tif\"\nleast_thickness = 1\n"),
+      ElementsAre("case.toml:5 release.least_thickness: applies to dem_before and dem_after "
+                  "only; remove it"));
 }
 
 TEST(Rules, PolygonHasThreeCorners) {
@@ -77,6 +110,45 @@ TEST(Rules, CropHasAnInside) {
   EXPECT_THAT(messages(with(smallest_case, "[release]", "crop = [5, 0, 5, 10]\n[release]")),
               ElementsAre("case.toml:3 terrain.crop: the window is empty; "
                           "give [west, south, east, north]"));
+}
+
+/// Faults of the smallest case with an edit of the terrain, whose keys start at line 12.
+std::vector<std::string> edit(const std::string& keys) {
+  return messages(smallest_case + "[[terrain.edit]]\n" + keys +
+                  "polygon = [[0, 0], [1, 0], [1, 1]]\n");
+}
+
+TEST(Rules, EveryEditHasTheKeyOfItsKind) {
+  EXPECT_THAT(edit("kind = \"set\"\nelevation = 100\n"), IsEmpty());
+  EXPECT_THAT(edit("kind = \"lower\"\nby = 2\n"), IsEmpty());
+  EXPECT_THAT(edit("kind = \"raise\"\nby = 2\n"), IsEmpty());
+  EXPECT_THAT(edit("kind = \"smooth\"\nradius = 5\n"), IsEmpty());
+  EXPECT_THAT(edit("kind = \"smooth\"\nby = 2\n"),
+              ElementsAre("case.toml:13 terrain.edit[1].by: does not apply to kind \"smooth\"; "
+                          "remove it",
+                          "case.toml:11 terrain.edit[1].radius: is missing for kind \"smooth\"; "
+                          "give it, in m"));
+  EXPECT_THAT(edit("kind = \"dig\"\nby = 2\n"),
+              ElementsAre("case.toml:12 terrain.edit[1].kind: \"dig\" is not known; give \"set\", "
+                          "\"lower\", \"raise\" or \"smooth\""));
+}
+
+TEST(Rules, ZonesAreAreas) {
+  EXPECT_THAT(messages(smallest_case + "[[zone]]\npolygon = [[0, 0], [1, 0]]\n"),
+              ElementsAre("case.toml:12 zone[1].polygon: has fewer than three points; "
+                          "give three or more"));
+}
+
+TEST(Rules, ConcentrationAndViscosityAgree) {
+  // 0.621 exp(0.173 x 44) = 1255.86
+  const std::string at_44 = smallest_case + "[material]\nconcentration = 44\n";
+  EXPECT_THAT(messages(at_44), IsEmpty());
+  EXPECT_THAT(messages(at_44 + "viscosity = 500\n"),
+              ElementsAre("case.toml:12 material.concentration: gives a viscosity of 1255.86 Pa s, "
+                          "the key viscosity says 500; remove one of the two"));
+  EXPECT_THAT(messages(at_44 + "rheology = \"mu_i\"\n"),
+              ElementsAre("case.toml:12 material.concentration: rheology \"mu_i\" has no "
+                          "viscosity; remove it, or choose another rheology"));
 }
 
 TEST(Rules, KindOfStructure) {

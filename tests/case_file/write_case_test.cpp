@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
+#include "case/material_presets.hpp"
 #include "io/case_file/models.hpp"
 
 namespace sabo {
@@ -61,6 +62,21 @@ struct Randomise {
   void operator()(const Key&, T&) const {}
 };
 
+TerrainEditCase terrain_edit(const std::string& name) {
+  TerrainEditCase edit{name,
+                       line(3, false),
+                       *rc::gen::element(TerrainEditKind::set, TerrainEditKind::lower,
+                                         TerrainEditKind::raise, TerrainEditKind::smooth),
+                       {},
+                       {},
+                       {}};
+  if (edit.kind == TerrainEditKind::set) edit.elevation = number(-10, 100);
+  if (edit.kind == TerrainEditKind::smooth) edit.radius = number(0.1, 9);
+  const bool shifts = edit.kind == TerrainEditKind::lower || edit.kind == TerrainEditKind::raise;
+  if (shifts) edit.by = number(0.1, 9);
+  return edit;
+}
+
 Case arbitrary_case() {
   Case c;
   c.folder = folder_with_files();
@@ -78,6 +94,9 @@ Case arbitrary_case() {
   for (int i = 0; i < *rc::gen::inRange(0, 3); ++i) {
     c.structures.push_back(structure("dam " + std::to_string(i)));
     c.sections.push_back({text() + std::to_string(i), line(2, false)});
+    c.zones.push_back({text() + std::to_string(i), line(3, false), {}, text()});
+    if (chance()) c.zones.back().observed = number(0, 9);
+    c.terrain.edits.push_back(terrain_edit("edit " + std::to_string(i)));
   }
   if (chance()) c.path.line = line(2, chance());
   if (chance()) c.references.push_back({"a " + text(), number(0, 9), std::nullopt, number(0, 9)});
@@ -105,6 +124,8 @@ RC_GTEST_PROP(WriteCase, ReadingItBackGivesTheSameCase, ()) {
   RC_ASSERT(back.release.polygon.coordinates == c.release.polygon.coordinates);
   RC_ASSERT(back.structures.size() == c.structures.size());
   RC_ASSERT(back.terrain.crop == c.terrain.crop);
+  RC_ASSERT(back.terrain.edits.size() == c.terrain.edits.size());
+  RC_ASSERT(back.zones.size() == c.zones.size());
 }
 
 TEST(WriteCase, KeysHaveTheirHelpAndRange) {
@@ -139,8 +160,10 @@ TEST(KeysMarkdown, HasEveryTableAndRheology) {
   EXPECT_THAT(text, HasSubstr("## `[[structure]]`"));
   EXPECT_THAT(text, HasSubstr("## `[structure.notch]`"));
   EXPECT_THAT(text, HasSubstr("| `spacing` | required | a number from 1e-6 to 10000 m |"));
-  EXPECT_THAT(text, HasSubstr("### `rheology = \"general_cross\"`"));
-  EXPECT_THAT(text, HasSubstr("| `time_constant` | `1` | a number from 0 to 1e9 s |"));
+  EXPECT_THAT(text, HasSubstr("## `[[terrain.edit]]`"));
+  EXPECT_THAT(text, HasSubstr("| [`general_cross`](rheology/general_cross.md) |"));
+  EXPECT_THAT(keys_table(list_keys(GeneralCross{})),
+              HasSubstr("| `time_constant` | `1` | a number from 0 to 1e9 s |"));
 }
 
 TEST(Models, ListsEveryLawWithItsKeys) {
@@ -148,8 +171,14 @@ TEST(Models, ListsEveryLawWithItsKeys) {
   for (const Rheology& law : all_rheologies()) {
     EXPECT_THAT(text, HasSubstr("rheology = \"" + std::string(name_of(law)) + "\": "));
   }
-  EXPECT_THAT(text, HasSubstr("  cohesion             0       yield stress without normal stress\n"
-                              "                               a number from 0 to 1e9 Pa\n"));
+  EXPECT_THAT(text,
+              HasSubstr("  cohesion               0       yield stress without normal stress\n"
+                        "                                 a number from 0 to 1e9 Pa\n"));
+  for (const MaterialPreset& preset : material_presets()) {
+    EXPECT_THAT(text, HasSubstr("preset = \"" + std::string(preset.name) + "\": "));
+    EXPECT_THAT(text, HasSubstr("Source: " + std::string(preset.source)));
+  }
+  EXPECT_THAT(text, HasSubstr("viscosity = 33.9, viscosity_ratio = 1000, cohesion = 22.9"));
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/gis/read_thickness.hpp"
+#include "io/gis/read_raster.hpp"
 
 namespace sabo {
 namespace {
@@ -19,7 +19,7 @@ class ReadThickness : public testing::Test {
  protected:
   Raster read(const MadeRaster& made, const std::string& dem_crs, bool assume_metres = false) {
     made.write(folder_ / "h.tif");
-    return read_thickness(folder_ / "h.tif", dem_crs, assume_metres);
+    return read_thickness(folder_ / "h.tif", {"release.thickness_raster", dem_crs, assume_metres});
   }
   Fault fault(const MadeRaster& made, const std::string& dem_crs) {
     return fault_of([&] { read(made, dem_crs); });

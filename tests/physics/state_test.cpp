@@ -43,6 +43,12 @@ TEST(MohrCoulomb, SuctionAndLiquefactionLeaveCohesion) {
   EXPECT_EQ(liquid(1e5, liquid.slope()), 50);
 }
 
+TEST(MohrCoulomb, PoreWaterTakesItsShareOfThePressure) {
+  const MohrCoulomb soil{50, 30, 0.25};
+  EXPECT_DOUBLE_EQ(soil.effective_pressure(1000), 750);
+  EXPECT_EQ(soil.effective_pressure(-1000), 0);
+}
+
 TEST(TimeStepRule, TakesTheSmallestOfThreeLimits) {
   const TimeStepRule rule{2.0, 50.0, 0.2, 0.6};
   EXPECT_DOUBLE_EQ(rule({0, 0, 0}).dt, 0.2 * 2 / 50);

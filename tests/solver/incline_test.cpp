@@ -107,7 +107,7 @@ TEST(Incline, MohrCoulombBelowTheFrictionAngleOnlyCreeps) {
 // It relaxes within 1.3 s.
 TEST(Incline, BinghamFlowKeepsItsMeanAndSurfaceSpeed) {
   Layer layer = incline(std::asin(0.0875), 10, 0.2, 1800);
-  layer.model.rheology = Bingham{10, 1000};
+  layer.model.rheology = Bingham{{10, 1000}};
   layer.model.yield = {100, 0, 0};
   const Flow flow = run(layer, 2, {1.4138, 0.1353});
   EXPECT_NEAR(flow.mean, 1.095, 0.05 * 1.095);
@@ -117,7 +117,7 @@ TEST(Incline, BinghamFlowKeepsItsMeanAndSurfaceSpeed) {
 TEST(Incline, BinghamLayerBelowItsStoppingDepthOnlyCreeps) {
   // h_stop = tau_y / (rho g sin) = 0.0647 m; at 0.04 m the capped fluid shears at tau / mu_0.
   Layer layer = incline(std::asin(0.0875), 5, 0.04, 1800);
-  layer.model.rheology = Bingham{10, 1000};
+  layer.model.rheology = Bingham{{10, 1000}};
   layer.model.yield = {100, 0, 0};
   const double creep = 1800 * 9.81 * 0.0875 * 0.04 * 0.04 / (2 * 10000);
   const double surface = run(layer, 0.2).surface;

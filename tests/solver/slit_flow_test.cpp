@@ -121,7 +121,7 @@ TEST(SlitFlow, BinghamParametersGiveThePlugSpeed) {
   double gradient = 0;
   EXPECT_NEAR(slit_speed(Cross{100, 1000, 1}, 125, gradient), 0.704844, 0.05 * 0.704844);
   EXPECT_LT(gradient, 0.05);  // a Newtonian fluid of mu_B would have 0.5 there
-  EXPECT_NEAR(slit_speed(Bingham{100, 1000}, 125, gradient), 0.703125, 0.05 * 0.703125);
+  EXPECT_NEAR(slit_speed(Bingham{{100, 1000}}, 125, gradient), 0.703125, 0.05 * 0.703125);
   EXPECT_LT(gradient, 0.05);
 }
 

@@ -28,7 +28,7 @@ double volume_of(const Particles& particles, double density) {
 
 TEST(Release, StandsOnTheGroundInColumns) {
   const Surface surface = slope();
-  const Particles fluid = released(surface, release_of({square(4, 8)}, 1.6), {0.5, 1700, {}});
+  const Particles fluid = released(surface, release_of({{square(4, 8), 1.6}}), {0.5, 1700, {}});
   ASSERT_EQ(fluid.size(), 8U * 8 * 3);
   EXPECT_EQ(fluid.position[0], (Vec3d{4.25, 4.25, 0.75 * 4.25 + 0.25}));
   EXPECT_EQ(fluid.position[2], (Vec3d{4.25, 4.25, 0.75 * 4.25 + 1.25}));
@@ -43,14 +43,14 @@ TEST(Release, StandsOnTheGroundInColumns) {
 
 TEST(Release, ScalesToAVolume) {
   const Surface surface = slope();
-  const ReleaseShape shape = scaled_to(release_of({square(4, 8)}, 1.6), 48);
+  const ReleaseShape shape = scaled_to(release_of({{square(4, 8), 1.6}}), 48);
   EXPECT_DOUBLE_EQ(shape.thickness(5, 5), 3);
   EXPECT_NEAR(volume_of(released(surface, shape, {0.4, 1700, {}}), 1700), 48, 1e-10);
 }
 
 TEST(Release, NormalThicknessBecomesVertical) {
   const Surface surface = slope();  // 3-4-5: the normal's z is 0.8
-  const ReleaseShape shape = made_vertical(release_of({square(4, 8)}, 1.6), surface, 0.5);
+  const ReleaseShape shape = made_vertical(release_of({{square(4, 8), 1.6}}), surface, 0.5);
   EXPECT_DOUBLE_EQ(shape.thickness(5, 5), 2);
   EXPECT_EQ(shape.thickness(9, 5), 0);
   EXPECT_NEAR(shape.volume, 32, 1e-10);
@@ -73,7 +73,7 @@ TEST(Release, RefusesWhatIsOutsideTheDemAndNamesThePlace) {
   const Surface surface = slope();
   const Frame frame{600000, 4000000, ""};
   try {
-    released(surface, release_of({square(18, 22)}, 1), {1, 1000, frame});
+    released(surface, release_of({{square(18, 22), 1}}), {1, 1000, frame});
     FAIL();
   } catch (const CaseError& error) {
     EXPECT_THAT(error.what(), HasSubstr("outside the DEM at (600018.50, 4000020.50)"));
@@ -83,7 +83,7 @@ TEST(Release, RefusesWhatIsOutsideTheDemAndNamesThePlace) {
 
 TEST(Release, RefusesTooThinAndTooLarge) {
   const Surface surface = slope();
-  const ReleaseShape shape = release_of({square(4, 8)}, 0.4);
+  const ReleaseShape shape = release_of({{square(4, 8), 0.4}});
   try {
     released(surface, shape, {1, 1000, {}});
     FAIL();
@@ -91,7 +91,7 @@ TEST(Release, RefusesTooThinAndTooLarge) {
     EXPECT_THAT(error.what(), HasSubstr("smaller spacing"));
   }
   EXPECT_THROW(released(surface, shape, {1e-4, 1000, {}}), CaseError);
-  EXPECT_THROW(release_of({square(4, 4)}, 1), CaseError);
+  EXPECT_THROW(release_of({{square(4, 4), 1}}), CaseError);
   EXPECT_THROW(release_of(Raster({2, 2, 0, 0, 1, 1}, Raster::no_data)), CaseError);
 }
 

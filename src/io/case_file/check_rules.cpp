@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "io/case_file/key_text.hpp"
+#include "physics/viscosity_of_concentration.hpp"
 
 namespace sabo {
 namespace {
@@ -38,32 +39,102 @@ void check_line(const LineSource& line, const std::string& key, Faults& faults) 
   }
 }
 
+void check_polygon(const LineSource& polygon, const std::string& key, Faults& faults) {
+  check_line(polygon, key, faults);
+  const std::size_t corners = polygon.coordinates.size();
+  if (corners > 0 && corners < 3) {
+    faults.add(key, "has fewer than three points", "give three or more");
+  }
+}
+
+/// Each kind of edit has a key of its own and takes no other.
+void check_edit(const TerrainEditCase& edit, const std::string& path, Faults& faults) {
+  struct Rule {
+    const char* key;
+    bool is_given;
+    bool is_wanted;
+  };
+  const bool shifts = edit.kind == TerrainEditKind::lower || edit.kind == TerrainEditKind::raise;
+  const Rule rules[] = {
+      {"elevation", edit.elevation.has_value(), edit.kind == TerrainEditKind::set},
+      {"by", edit.by.has_value(), shifts},
+      {"radius", edit.radius.has_value(), edit.kind == TerrainEditKind::smooth}};
+  check_polygon(edit.polygon, path + ".polygon", faults);
+  if (faults.has(path + ".kind")) return;
+  for (const Rule& rule : rules) {
+    const std::string key = fmt::format("{}.{}", path, rule.key);
+    if (rule.is_given == rule.is_wanted || faults.has(key)) continue;
+    faults.add(key,
+               rule.is_wanted ? fmt::format("is missing for kind \"{}\"", word_of(edit.kind))
+                              : fmt::format("does not apply to kind \"{}\"", word_of(edit.kind)),
+               rule.is_wanted ? "give it, in m" : "remove it");
+  }
+}
+
+/// The surfaces before and after an event come as a pair, which takes the place of a thickness.
+void check_dem_pair(const ReleaseCase& release, Faults& faults) {
+  const bool before = !release.dem_before.empty() || faults.has("release.dem_before");
+  const bool after = !release.dem_after.empty() || faults.has("release.dem_after");
+  if (before != after) {
+    faults.add(before ? "release.dem_before" : "release.dem_after", "is one of a pair",
+               before ? "give dem_after too" : "give dem_before too");
+  }
+  if (!before && !after && release.least_thickness != ReleaseCase{}.least_thickness) {
+    faults.add("release.least_thickness", "applies to dem_before and dem_after only", "remove it");
+  }
+  if ((before || after) && release.normal) {
+    faults.add("release.normal", "does not apply to a difference of elevations", "remove it");
+  }
+}
+
+/// A polygon needs one of three things that give it a thickness, unless surfaces are compared in
+/// it.
+void check_polygon_thickness(const ReleaseCase& release, Faults& faults) {
+  const bool thickness = release.thickness || faults.has("release.thickness");
+  const bool attribute =
+      !release.thickness_attribute.empty() || faults.has("release.thickness_attribute");
+  const bool volume = release.volume || faults.has("release.volume");
+  if (thickness + attribute > 1) {
+    faults.add("release.thickness_attribute", "the polygon has a thickness too",
+               "give one of the two");
+  } else if (thickness && volume) {
+    faults.add("release.polygon", "has a thickness and a volume", "give one of the two");
+  } else if (!thickness && !attribute && !volume) {
+    faults.add("release.polygon", "has no thickness and no volume",
+               "give thickness, thickness_attribute or volume");
+  }
+  if (attribute && !release.polygon.coordinates.empty()) {
+    faults.add("release.thickness_attribute", "a polygon given by coordinates has no attributes",
+               "give thickness");
+  }
+}
+
 void check_release(const ReleaseCase& release, Faults& faults) {
-  const bool by_polygon = release.polygon.given() || faults.has("release.polygon");
+  const bool by_pair = !release.dem_before.empty() || !release.dem_after.empty() ||
+                       faults.has("release.dem_before") || faults.has("release.dem_after");
+  const bool has_polygon = release.polygon.given() || faults.has("release.polygon");
+  const bool by_polygon = has_polygon && !by_pair;
   const bool by_raster =
       !release.thickness_raster.empty() || faults.has("release.thickness_raster");
   const bool by_points = !release.points.empty() || faults.has("release.points");
   const bool thickness = release.thickness || faults.has("release.thickness");
   const bool volume = release.volume || faults.has("release.volume");
 
-  if (by_polygon + by_raster + by_points != 1) {
+  check_polygon(release.polygon, "release.polygon", faults);
+  const int ways = by_pair + by_polygon + by_raster + by_points;
+  if (ways != 1) {
     faults.add("release",
-               by_polygon || by_raster || by_points ? "the release is given in more than one way"
-                                                    : "nothing is released",
-               "give one of polygon, thickness_raster and points");
+               ways > 1 ? "the release is given in more than one way" : "nothing is released",
+               "give one of polygon, thickness_raster, points, and dem_before with dem_after");
     return;
   }
-  if (by_polygon && thickness + volume != 1) {
-    faults.add("release.polygon",
-               thickness ? "has a thickness and a volume" : "has no thickness and no volume",
-               "give one of the two");
-  }
-  const std::size_t corners = release.polygon.coordinates.size();
-  if (corners > 0 && corners < 3) {
-    faults.add("release.polygon", "has fewer than three points", "give three or more");
-  }
+  check_dem_pair(release, faults);
+  if (by_polygon) check_polygon_thickness(release, faults);
   if (!by_polygon && thickness) {
     faults.add("release.thickness", "applies to a polygon only", "remove it");
+  }
+  if (!by_polygon && !release.thickness_attribute.empty()) {
+    faults.add("release.thickness_attribute", "applies to a polygon only", "remove it");
   }
   if (by_points && volume) {
     faults.add("release.volume", "does not apply to points",
@@ -120,6 +191,23 @@ void check_names(const std::vector<T>& members, const std::string& table, Faults
   }
 }
 
+/// A concentration stands for a viscosity; where both are given they must agree.
+void check_concentration(const MaterialCase& material, Faults& faults) {
+  const std::string key = "material.concentration";
+  if (!material.concentration || faults.has(key) || faults.has("material.viscosity")) return;
+  const std::optional<double> given = viscosity_of(material.law);
+  const double meant = viscosity_of_concentration(*material.concentration);
+  if (!given) {
+    faults.add(key, fmt::format("rheology \"{}\" has no viscosity", name_of(material.law)),
+               "remove it, or choose another rheology");
+  } else if (std::abs(*given - meant) > 1e-6 * meant) {
+    faults.add(key,
+               fmt::format("gives a viscosity of {} Pa s, the key viscosity says {}",
+                           short_text(meant), short_text(*given)),
+               "remove one of the two");
+  }
+}
+
 void check_numerics(const NumericsCase& numerics, Faults& faults) {
   if (numerics.gravity == 0 && numerics.reference_speed == 0 &&
       !faults.has("numerics.reference_speed")) {
@@ -139,7 +227,9 @@ void check_interval(double interval, const std::string& key, double max_count, d
 
 void check_rules(const Case& c, Faults& faults) {
   check_crop(c.terrain, faults);
-  check_line(c.release.polygon, "release.polygon", faults);
+  for (std::size_t i = 0; i < c.terrain.edits.size(); ++i) {
+    check_edit(c.terrain.edits[i], fmt::format("terrain.edit[{}]", i + 1), faults);
+  }
   check_release(c.release, faults);
   for (std::size_t i = 0; i < c.structures.size(); ++i) {
     const std::string path = fmt::format("structure[{}]", i + 1);
@@ -150,10 +240,16 @@ void check_rules(const Case& c, Faults& faults) {
   for (std::size_t i = 0; i < c.sections.size(); ++i) {
     check_line(c.sections[i].line, fmt::format("section[{}].line", i + 1), faults);
   }
+  for (std::size_t i = 0; i < c.zones.size(); ++i) {
+    check_polygon(c.zones[i].polygon, fmt::format("zone[{}].polygon", i + 1), faults);
+  }
   check_line(c.path.line, "path.line", faults);
+  check_names(c.terrain.edits, "terrain.edit", faults);
   check_names(c.structures, "structure", faults);
   check_names(c.sections, "section", faults);
+  check_names(c.zones, "zone", faults);
   check_names(c.references, "reference", faults);
+  check_concentration(c.material, faults);
   check_numerics(c.numerics, faults);
   check_interval(c.run.output_interval, "output_interval", max_frames, c.run.duration, faults);
   check_interval(c.run.series_interval, "series_interval", max_rows, c.run.duration, faults);

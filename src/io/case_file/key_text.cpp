@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "case/material_presets.hpp"
+
 namespace sabo {
 std::string short_text(double number) {
   std::string text = fmt::format("{:g}", number);
@@ -52,6 +54,12 @@ std::string words_text(const std::vector<std::string>& words) {
 std::vector<std::string> rheology_names() {
   std::vector<std::string> names;
   for (const Rheology& law : all_rheologies()) names.emplace_back(name_of(law));
+  return names;
+}
+
+std::vector<std::string> preset_names() {
+  std::vector<std::string> names;
+  for (const MaterialPreset& preset : material_presets()) names.emplace_back(preset.name);
   return names;
 }
 

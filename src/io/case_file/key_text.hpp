@@ -26,8 +26,9 @@ std::string list_text(const std::vector<std::string>& words);
 /// `"own", "mirror" or "none"`.
 std::string words_text(const std::vector<std::string>& words);
 
-/// The names of all rheologies.
+/// The names of all rheologies, and of all material presets.
 std::vector<std::string> rheology_names();
+std::vector<std::string> preset_names();
 
 template <class Enum>
 std::vector<std::string> words_of() {
@@ -70,6 +71,8 @@ std::string wanted_text(const Key& key) {
     return "a file name in quotes or points [[x, y], [x, y], ...]";
   } else if constexpr (std::is_same_v<T, Rheology>) {
     return words_text(rheology_names());
+  } else if constexpr (std::is_same_v<T, PresetName>) {
+    return words_text(preset_names());
   } else {
     static_assert(std::is_enum_v<T>, "a type that the case file does not know");
     return words_text(words_of<T>());

@@ -42,6 +42,8 @@ std::string toml_text(const T& value) {
     return toml_text(value.file);
   } else if constexpr (std::is_same_v<T, Rheology>) {
     return toml_string(std::string(name_of(value)));
+  } else if constexpr (std::is_same_v<T, PresetName>) {
+    return value.name.empty() ? "" : toml_string(value.name);
   } else if constexpr (std::is_enum_v<T>) {
     return toml_string(std::string(word_of(value)));
   } else if constexpr (numbers_in<T> > 0) {
@@ -63,7 +65,7 @@ class Lister {
   void operator()(const Key& key, T& member) {
     if constexpr (OptionalTable<T>) {
       const ListedTable& outer = tables_[index_];
-      ListedTable inner{outer.name + "." + std::string(key.name), std::string(key.help)};
+      ListedTable inner{path_of(key.name), std::string(key.help)};
       inner.is_given = outer.is_given && member.has_value();
       list(member ? *member : typename T::value_type{}, std::move(inner));
     } else {
@@ -72,24 +74,30 @@ class Lister {
         if (!key.accepts(member)) value.clear();  // a required key that has not been given
       }
       tables_[index_].keys.push_back({std::string(key.name), std::string(key.help),
-                                      wanted_text<T>(key), std::move(value), key.is_required});
+                                      std::string(key.unit), wanted_text<T>(key), std::move(value),
+                                      key.is_required});
     }
   }
 
   template <class T>
   void table(std::string_view name, std::string_view help, T& member) {
-    list(member, {std::string(name), std::string(help)});
+    list(member, {path_of(name), std::string(help)});
   }
 
   template <class T>
   void tables(std::string_view name, std::string_view help, std::vector<T>& members) {
-    ListedTable table{std::string(name), std::string(help), true};
+    ListedTable table{path_of(name), std::string(help), true};
     table.is_given = !members.empty();
     if (members.empty()) return list(T{}, std::move(table));
     for (T& member : members) list(member, table);
   }
 
  private:
+  std::string path_of(std::string_view name) const {
+    const std::string& outer = tables_[index_].name;
+    return outer.empty() ? std::string(name) : fmt::format("{}.{}", outer, name);
+  }
+
   template <class T>
   void list(T member, ListedTable table) {
     Lister lister(tables_, std::move(table));
@@ -109,11 +117,11 @@ std::vector<ListedTable> list_tables(Case c) {
   return tables;
 }
 
-std::vector<ListedKey> list_keys(Rheology law) {
+std::vector<ListedKey> list_keys(Rheology law, MohrCoulomb yield) {
   std::vector<ListedTable> tables;
   Lister lister(tables, {});
   std::visit([&](auto& chosen) { chosen.describe(lister); }, law);
-  if (has_yield(law)) MohrCoulomb{}.describe(lister);
+  if (has_yield(law)) yield.describe(lister);
   return tables.front().keys;
 }
 

@@ -11,6 +11,7 @@ namespace sabo {
 struct ListedKey {
   std::string name;
   std::string help;
+  std::string unit;
   std::string wanted;  ///< what may be written: "a number from 0 to 60 deg"
   std::string value;   ///< in TOML; empty when there is none
   bool is_required = false;
@@ -28,7 +29,7 @@ struct ListedTable {
 /// tables that are not given appear once with their defaults.
 std::vector<ListedTable> list_tables(Case c);
 
-/// The keys of a rheology, those of its yield stress included.
-std::vector<ListedKey> list_keys(Rheology law);
+/// The keys of a rheology with its values, those of its yield stress included.
+std::vector<ListedKey> list_keys(Rheology law, MohrCoulomb yield = {});
 
 }  // namespace sabo

@@ -57,6 +57,8 @@ std::vector<std::string> laws_with(const std::string& key) {
 /// Visitor that sets the members of one described struct from its table.
 class TableReader {
  public:
+  static constexpr bool sets_members = true;
+
   TableReader(const FileContext& file, const TomlTable& table, std::string path)
       : file_(file), table_(table), path_(std::move(path)) {}
 
@@ -94,10 +96,10 @@ class TableReader {
     const TomlNode* node = look_up(name);
     if (!node) return;
     const auto* items = std::get_if<TomlArray>(&node->value);
-    if (!items) return refuse_form(name, fmt::format("[[{}]]", name));
+    if (!items) return refuse_form(name, fmt::format("[[{}]]", path_of(name)));
     for (const TomlNode& item : *items) {
       const auto* inner = std::get_if<TomlTable>(&item.value);
-      if (!inner) return refuse_form(name, fmt::format("[[{}]]", name));
+      if (!inner) return refuse_form(name, fmt::format("[[{}]]", path_of(name)));
       const std::string path = fmt::format("{}[{}]", path_of(name), members.size() + 1);
       file_.remember(path, item);
       read_table(*inner, path, members.emplace_back());
@@ -194,6 +196,8 @@ Case read_text(std::string_view text, const FileContext& file,
   reader.refuse_unknown_keys();
   name_nameless(result.structures, "structure");
   name_nameless(result.sections, "section");
+  name_nameless(result.zones, "zone");
+  name_nameless(result.terrain.edits, "edit");
   check_rules(result, file.faults);
   return result;
 }
@@ -220,10 +224,10 @@ Case read_case(const std::filesystem::path& case_file_or_folder, Faults& faults,
 }
 
 Case read_case_text(std::string_view text, const std::filesystem::path& folder, Faults& faults,
-                    const std::vector<Override>& overrides) {
+                    const std::vector<Override>& overrides, const std::string& name) {
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(folder, error);
-  return read_text(text, {absolute.lexically_normal(), "case.toml", faults}, overrides);
+  return read_text(text, {absolute.lexically_normal(), name, faults}, overrides);
 }
 
 }  // namespace sabo

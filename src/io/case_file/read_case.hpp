@@ -25,8 +25,9 @@ struct Override {
 Case read_case(const std::filesystem::path& case_file_or_folder, Faults& faults,
                const std::vector<Override>& overrides = {});
 
-/// The same from a text; relative paths start at `folder`, faults say "case.toml".
+/// The same from a text; relative paths start at `folder`, faults give `name` as the file's.
 Case read_case_text(std::string_view text, const std::filesystem::path& folder, Faults& faults,
-                    const std::vector<Override>& overrides = {});
+                    const std::vector<Override>& overrides = {},
+                    const std::string& name = "case.toml");
 
 }  // namespace sabo

@@ -183,7 +183,13 @@ void read_value(const FoundKey& found, LineSource& member) {
 }
 
 void read_value(const FoundKey& found, Rheology& member) {
-  if (const auto index = read_word(found, rheology_names())) member = all_rheologies()[*index];
+  const auto index = read_word(found, rheology_names());
+  if (index && *index != member.index()) member = all_rheologies()[*index];
+}
+
+void read_value(const FoundKey& found, PresetName& member) {
+  const std::vector<std::string> names = preset_names();
+  if (const auto index = read_word(found, names)) member.name = names[*index];
 }
 
 void read_numbers(const FoundKey& found, std::span<double> members, const std::string& wanted) {

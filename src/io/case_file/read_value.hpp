@@ -34,7 +34,8 @@ void read_value(const FoundKey& found, double& member);
 void read_value(const FoundKey& found, std::string& member);
 void read_value(const FoundKey& found, std::filesystem::path& member);
 void read_value(const FoundKey& found, LineSource& member);
-void read_value(const FoundKey& found, Rheology& member);
+void read_value(const FoundKey& found, Rheology& member);  ///< keeps the values of the same law
+void read_value(const FoundKey& found, PresetName& member);
 void read_numbers(const FoundKey& found, std::span<double> members, const std::string& wanted);
 
 /// The place of the key's word among `words`; a fault when it is none of them.

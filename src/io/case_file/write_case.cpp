@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "io/case_file/listing.hpp"
+#include "io/case_file/models.hpp"
 
 namespace sabo {
 namespace {
@@ -61,7 +62,14 @@ std::string cell(const std::string& text) {
   return result;
 }
 
-std::string rows(const std::vector<ListedKey>& keys) {
+/// Removes the keys of the default rheology, which stand under its own heading.
+void drop_law(std::vector<ListedKey>& keys) {
+  while (!keys.empty() && keys.back().name != "rheology") keys.pop_back();
+}
+
+}  // namespace
+
+std::string keys_table(const std::vector<ListedKey>& keys) {
   std::string text = "| key | default | value | meaning |\n|---|---|---|---|\n";
   for (const ListedKey& key : keys) {
     const std::string value = key.is_required     ? "required"
@@ -72,13 +80,6 @@ std::string rows(const std::vector<ListedKey>& keys) {
   }
   return text;
 }
-
-/// Removes the keys of the default rheology, which stand under its own heading.
-void drop_law(std::vector<ListedKey>& keys) {
-  while (!keys.empty() && keys.back().name != "rheology") keys.pop_back();
-}
-
-}  // namespace
 
 std::string write_case(const Case& c) {
   std::string text;
@@ -96,13 +97,10 @@ std::string keys_markdown() {
     text += table.name.empty()
                 ? "## Head of the file\n\n"
                 : fmt::format("## `{}`\n\n{}\n\n", header(table), sentence(table.help));
-    text += rows(table.keys) + "\n";
-    if (!is_material) continue;
-    for (const Rheology& law : all_rheologies()) {
-      const auto summary = std::visit([](const auto& l) { return l.summary; }, law);
-      text += fmt::format("### `rheology = \"{}\"`\n\n{}\n\n", name_of(law), sentence(summary));
-      text += rows(list_keys(law)) + "\n";
-    }
+    text += keys_table(table.keys) + "\n";
+    if (is_material)
+      text += "The keys of each law of flow stand on its own page:\n\n" + laws_table("rheology/") +
+              "\n";
   }
   return text;
 }

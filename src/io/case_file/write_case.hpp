@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "case/case.hpp"
+#include "io/case_file/listing.hpp"
 
 namespace sabo {
 
@@ -15,5 +17,8 @@ std::string defaults_text();
 
 /// Reference of all keys in Markdown, every rheology included.
 std::string keys_markdown();
+
+/// Keys as a table in Markdown.
+std::string keys_table(const std::vector<ListedKey>& keys);
 
 }  // namespace sabo

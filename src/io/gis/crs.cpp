@@ -37,6 +37,23 @@ std::string wkt_of(const OGRSpatialReference& crs) {
   return wkt;
 }
 
+std::string code_of(const OGRSpatialReference& crs) {
+  constexpr int sure = 90;  // percent: equal but for names and rounding
+  int count = 0;
+  int* confidence = nullptr;
+  OGRSpatialReferenceH* matches = crs.FindMatches(nullptr, &count, &confidence);
+  std::string code;
+  if (count > 0 && confidence[0] >= sure) {
+    const auto* best = OGRSpatialReference::FromHandle(matches[0]);
+    const char* authority = best->GetAuthorityName(nullptr);
+    const char* number = best->GetAuthorityCode(nullptr);
+    if (authority && number) code = fmt::format("{}:{}", authority, number);
+  }
+  OSRFreeSRSArray(matches);
+  CPLFree(confidence);
+  return code.empty() ? wkt_of(crs) : code;
+}
+
 std::string name_of(const OGRSpatialReference& crs) {
   const char* name = crs.GetName();
   const char* authority = crs.GetAuthorityName(nullptr);

@@ -19,6 +19,9 @@ OGRSpatialReference horizontal(const OGRSpatialReference& crs);
 /// WKT 2 on one line; "" for an empty one.
 std::string wkt_of(const OGRSpatialReference& crs);
 
+/// A text that names it: "EPSG:31287" where PROJ's database knows it as one, else its WKT.
+std::string code_of(const OGRSpatialReference& crs);
+
 /// For messages, e.g. "EPSG:5266 (DRUKREF 03 / Bhutan National Grid)".
 std::string name_of(const OGRSpatialReference& crs);
 

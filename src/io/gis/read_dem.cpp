@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "io/gis/check_elevations.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/raster_file.hpp"
 
 namespace sabo {
 namespace {
-
-constexpr double highest_elevation = 12000;  // m; deeper or higher there is no ground
 
 bool is_metre(double unit) { return std::abs(unit - 1) < 1e-9; }
 
@@ -73,26 +72,6 @@ CellWindow window_of(const RasterFile& file, const std::array<double, 4>& crop) 
   return window;
 }
 
-void check_elevations(const RasterFile& file, const Raster& raster) {
-  std::size_t valid = 0;
-  std::size_t absurd = 0;
-  double example = 0;
-  for (double z : raster.values) {
-    if (std::isnan(z)) continue;
-    ++valid;
-    if (std::abs(z) <= highest_elevation) continue;
-    if (absurd++ == 0) example = z;
-  }
-  if (valid == 0) {
-    file.refuse("has no data in any cell", "choose another raster or another terrain.crop");
-  }
-  if (absurd > 0) {
-    file.refuse(
-        fmt::format("has {} cells like {:.9g} m, which is no elevation", absurd, example),
-        fmt::format("declare that value as nodata, e.g. gdal_edit.py -a_nodata {:.9g}", example));
-  }
-}
-
 }  // namespace
 
 Dem read_dem(const std::filesystem::path& file, bool assume_metres,
@@ -106,7 +85,7 @@ Dem read_dem(const std::filesystem::path& file, bool assume_metres,
   check_crs(source, assume_metres);
   check_unit(source);
   Raster raster = crop ? source.read(window_of(source, *crop)) : source.read();
-  check_elevations(source, raster);
+  check_elevations("terrain.dem", source.name(), raster);
   return {std::move(raster), is_unknown(source.crs()) ? "" : wkt_of(source.crs()), file};
 }
 

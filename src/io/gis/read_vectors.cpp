@@ -1,6 +1,7 @@
 #include "io/gis/read_vectors.hpp"
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <utility>
 
@@ -20,6 +21,12 @@ constexpr std::size_t max_vertices = 10'000'000;
 using GeometryPtr = std::unique_ptr<OGRGeometry>;
 using TransformPtr = std::unique_ptr<OGRCoordinateTransformation>;
 
+// A simple geometry and what the wanted attribute of its feature says; NaN without one.
+struct Piece {
+  GeometryPtr geometry;
+  double value = std::numeric_limits<double>::quiet_NaN();
+};
+
 // Simple geometries of one type, in the CRS of the DEM, out of the one layer that has any.
 class VectorFile {
  public:
@@ -36,14 +43,16 @@ class VectorFile {
     }
   }
 
+  /// Attribute whose numbers are read along; must be set before read().
+  void want(const std::string& attribute) { attribute_ = attribute; }
+
   // `type` is wkbLineString or wkbPolygon, `plural` its name in messages.
-  std::vector<GeometryPtr> read(OGRwkbGeometryType type, const char* plural,
-                                const std::string& dem_crs) {
-    std::vector<GeometryPtr> found;
+  std::vector<Piece> read(OGRwkbGeometryType type, const char* plural, const std::string& dem_crs) {
+    std::vector<Piece> found;
     std::string layers;
     std::string source;
     for (OGRLayer* layer : data_->GetLayers()) {
-      std::vector<GeometryPtr> here = read_layer(*layer, type);
+      std::vector<Piece> here = read_layer(*layer, type);
       const std::string name = fmt::format("\"{}\"", layer->GetName());
       layers += (layers.empty() ? "" : ", ") + name;
       if (here.empty()) continue;
@@ -62,6 +71,14 @@ class VectorFile {
     return found;
   }
 
+  // Of the first layer; empty without one.
+  OGRSpatialReference crs() const {
+    const OGRLayer* layer = data_->GetLayerCount() > 0 ? data_->GetLayer(0) : nullptr;
+    const OGRSpatialReference* own =
+        layer ? const_cast<OGRLayer*>(layer)->GetSpatialRef() : nullptr;
+    return own && !is_unknown(*own) ? *own : OGRSpatialReference();
+  }
+
   [[noreturn]] void refuse(std::string problem, std::string remedy) const {
     throw CaseError(key_, name_ + " " + std::move(problem), std::move(remedy));
   }
@@ -69,22 +86,44 @@ class VectorFile {
   const GdalErrors& errors() const { return errors_; }
 
  private:
-  std::vector<GeometryPtr> read_layer(OGRLayer& layer, OGRwkbGeometryType type) {
-    std::vector<GeometryPtr> found;
+  std::vector<Piece> read_layer(OGRLayer& layer, OGRwkbGeometryType type) {
+    std::vector<Piece> found;
     for (const auto& feature : layer) {
+      const std::size_t first = found.size();
       if (GeometryPtr geometry{feature->StealGeometry()}) split(std::move(geometry), type, found);
+      if (attribute_.empty() || found.size() == first) continue;
+      const double value = value_of(*feature);
+      for (std::size_t k = first; k < found.size(); ++k) found[k].value = value;
     }
     if (errors_.failed()) refuse("is damaged: " + errors_.failure(""), "copy or make it again");
     return found;
   }
 
+  // The number in the wanted attribute of a feature.
+  double value_of(const OGRFeature& feature) const {
+    const int index = feature.GetFieldIndex(attribute_.c_str());
+    if (index < 0) {
+      std::string names;
+      for (int k = 0; k < feature.GetFieldCount(); ++k) {
+        names +=
+            fmt::format("{}\"{}\"", k > 0 ? ", " : "", feature.GetFieldDefnRef(k)->GetNameRef());
+      }
+      refuse(fmt::format("has no attribute \"{}\"", attribute_),
+             names.empty() ? "give it that attribute" : "use one of: " + names);
+    }
+    if (!feature.IsFieldSetAndNotNull(index)) {
+      refuse(fmt::format("has a feature without a value of \"{}\"", attribute_), "fill it in");
+    }
+    return feature.GetFieldAsDouble(index);
+  }
+
   // Takes collections apart and curves into straight pieces.
-  void split(GeometryPtr geometry, OGRwkbGeometryType type, std::vector<GeometryPtr>& into) {
+  void split(GeometryPtr geometry, OGRwkbGeometryType type, std::vector<Piece>& into) {
     if (geometry->IsEmpty()) return;
     if (geometry->hasCurveGeometry()) geometry.reset(geometry->getLinearGeometry());
     const OGRwkbGeometryType own = wkbFlatten(geometry->getGeometryType());
     if (own == type) {
-      into.push_back(std::move(geometry));
+      into.push_back({std::move(geometry)});
     } else if (OGR_GT_IsSubClassOf(own, wkbGeometryCollection)) {
       for (const OGRGeometry* part : *geometry->toGeometryCollection()) {
         split(GeometryPtr{part->clone()}, type, into);
@@ -92,8 +131,7 @@ class VectorFile {
     }
   }
 
-  void reproject(std::vector<GeometryPtr>& geometries, OGRLayer& layer,
-                 const std::string& dem_crs) {
+  void reproject(std::vector<Piece>& pieces, OGRLayer& layer, const std::string& dem_crs) {
     const OGRSpatialReference* own = layer.GetSpatialRef();
     const OGRSpatialReference target = horizontal(crs_of(dem_crs));
     if (!own || is_unknown(*own)) return;
@@ -105,7 +143,7 @@ class VectorFile {
     if (same_place(*own, target)) return;
     const OGRSpatialReference from = horizontal(*own);
     const TransformPtr transform{OGRCreateCoordinateTransformation(&from, &target)};
-    for (GeometryPtr& geometry : geometries) {
+    for (const auto& [geometry, value] : pieces) {
       if (transform && geometry->transform(transform.get()) == OGRERR_NONE) continue;
       refuse(fmt::format("cannot be brought from {} to {}: {}", name_of(*own), name_of(target),
                          errors_.failure("no transformation")),
@@ -116,6 +154,7 @@ class VectorFile {
   GdalErrors errors_;
   std::string key_;
   std::string name_;
+  std::string attribute_;
   GDALDatasetUniquePtr data_;
 };
 
@@ -147,7 +186,7 @@ std::vector<Polyline> read_lines(const std::filesystem::path& file, const std::s
   VectorFile source(file, key);
   std::vector<Polyline> lines;
   std::size_t total = 0;
-  for (const GeometryPtr& geometry : source.read(wkbLineString, "lines", dem_crs)) {
+  for (const auto& [geometry, value] : source.read(wkbLineString, "lines", dem_crs)) {
     const OGRLineString& line = *geometry->toLineString();
     lines.push_back({vertices_of(line, source, total), line.Is3D() != 0});
     if (lines.back().vertices.size() < 2) {
@@ -157,24 +196,41 @@ std::vector<Polyline> read_lines(const std::filesystem::path& file, const std::s
   return lines;
 }
 
-std::vector<Polygon> read_polygons(const std::filesystem::path& file, const std::string& dem_crs,
-                                   const std::string& key) {
+std::string crs_of_vectors(const std::filesystem::path& file, const std::string& key) {
+  const OGRSpatialReference crs = VectorFile(file, key).crs();
+  return crs.IsEmpty() ? "" : code_of(crs);
+}
+
+std::vector<ValuedPolygon> read_valued_polygons(const std::filesystem::path& file,
+                                                const std::string& dem_crs, const std::string& key,
+                                                const std::string& attribute) {
   VectorFile source(file, key);
-  std::vector<Polygon> polygons;
+  source.want(attribute);
+  std::vector<ValuedPolygon> polygons;
   std::size_t total = 0;
-  for (const GeometryPtr& geometry : source.read(wkbPolygon, "polygons", dem_crs)) {
-    Polygon& polygon = polygons.emplace_back();
+  for (const auto& [geometry, value] : source.read(wkbPolygon, "polygons", dem_crs)) {
+    ValuedPolygon& valued = polygons.emplace_back();
+    valued.value = value;
     for (const OGRLinearRing* ring : *geometry->toPolygon()) {
       std::vector<Vec3d> vertices = vertices_of(*ring, source, total);
       const bool is_closed = vertices.size() > 1 && vertices.front().x == vertices.back().x &&
                              vertices.front().y == vertices.back().y;
       if (is_closed) vertices.pop_back();
-      polygon.rings.push_back(std::move(vertices));
+      valued.polygon.rings.push_back(std::move(vertices));
     }
     if (!geometry->IsValid()) {
       source.refuse("has an invalid polygon: " + source.errors().warning(),
                     "repair it, e.g. ogr2ogr -makevalid out.gpkg in.gpkg");
     }
+  }
+  return polygons;
+}
+
+std::vector<Polygon> read_polygons(const std::filesystem::path& file, const std::string& dem_crs,
+                                   const std::string& key) {
+  std::vector<Polygon> polygons;
+  for (ValuedPolygon& valued : read_valued_polygons(file, dem_crs, key, "")) {
+    polygons.push_back(std::move(valued.polygon));
   }
   return polygons;
 }

@@ -15,8 +15,25 @@ namespace sabo {
 std::vector<Polyline> read_lines(const std::filesystem::path& file, const std::string& dem_crs,
                                  const std::string& key);
 
-/// The same for polygons; rings that cross themselves or each other are refused.
+/// A polygon and the number that an attribute of its feature holds; NaN if none was asked for.
+struct ValuedPolygon {
+  Polygon polygon;
+  double value = 0;
+};
+
+/// Polygons with their values of `attribute` ("" for none); refuses a file that lacks it and a
+/// feature without a value.
+std::vector<ValuedPolygon> read_valued_polygons(const std::filesystem::path& file,
+                                                const std::string& dem_crs, const std::string& key,
+                                                const std::string& attribute);
+
+/// All polygons of a file, as read_lines() does lines; rings that cross themselves or each other
+/// are refused.
 std::vector<Polygon> read_polygons(const std::filesystem::path& file, const std::string& dem_crs,
                                    const std::string& key);
+
+/// Coordinate system of a vector file as a text that names it ("EPSG:31287" where it is one, else
+/// WKT); "" without one. Throws CaseError at `key`.
+std::string crs_of_vectors(const std::filesystem::path& file, const std::string& key);
 
 }  // namespace sabo

@@ -8,6 +8,7 @@
 
 #include "io/output/svg.hpp"
 #include "io/output/ticks.hpp"
+#include "terrain/bilinear.hpp"
 
 namespace sabo {
 namespace {
@@ -116,23 +117,35 @@ LineStyle style_of(MapLine::Kind kind) {
       return {"#1f2933", 2, ""};
     case MapLine::Kind::path:
       return {"#1f2933", 1.3, " stroke-dasharray=\"7 5\""};
-    case MapLine::Kind::outline:
+    case MapLine::Kind::edit:
+      return {"#b35900", 2, " stroke-dasharray=\"6 3\""};
+    case MapLine::Kind::zone:
       break;
   }
-  return {"#1f2933", 1.6, " stroke-dasharray=\"2 3\""};
+  return {"#0b5cad", 1.8, " stroke-dasharray=\"2 3\""};
+}
+
+// Middle of the rectangle around a line.
+Vec3d middle_of(const Polyline& line) {
+  const auto [west, east] = std::ranges::minmax(line.vertices, {}, &Vec3d::x);
+  const auto [south, north] = std::ranges::minmax(line.vertices, {}, &Vec3d::y);
+  return {(west.x + east.x) / 2, (south.y + north.y) / 2, 0};
 }
 
 // Beside the northern end for sections and the southern end for the rest, so that a dam and the
-// sections on either side of it keep apart.
+// sections on either side of it keep apart. Areas have theirs in the middle.
 std::string draw_label(const MapLine& line, const Layout& layout) {
   if (line.label.empty()) return "";
   const bool is_above = line.kind == MapLine::Kind::section;
   const auto by_y = [](const Vec3d& a, const Vec3d& b) { return a.y < b.y; };
   const auto [south, north] = std::ranges::minmax_element(line.line.vertices, by_y);
-  const Vec3d& end = is_above ? *north : *south;
+  const bool is_area = line.kind == MapLine::Kind::zone || line.kind == MapLine::Kind::edit;
+  const Vec3d end = is_area ? middle_of(line.line) : is_above ? *north : *south;
   const double x = std::clamp(layout.x(end.x), layout.left + 4, layout.left + layout.width - 4);
-  const double y = std::clamp(layout.y(end.y) + (is_above ? -7 : 18), layout.top + 14,
-                              layout.top + layout.height - 6);
+  const double y = std::clamp(layout.y(end.y) + (is_area    ? 4
+                                                 : is_above ? -7
+                                                            : 18),
+                              layout.top + 14, layout.top + layout.height - 6);
   return svg_text(x, y, line.label,
                   {.size = 13,
                    .colour = style_of(line.kind).colour,

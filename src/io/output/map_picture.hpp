@@ -12,8 +12,8 @@ namespace sabo {
 
 /// A line drawn over a map.
 struct MapLine {
-  enum class Kind { dam, section, path, outline };
-  Kind kind = Kind::outline;
+  enum class Kind { dam, section, path, zone, edit };
+  Kind kind = Kind::path;
   std::string label = {};  ///< "" for none
   Polyline line = {};
 };

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "math/vec3.hpp"
+#include "terrain/bilinear.hpp"
 
 namespace sabo {
 namespace {
@@ -87,23 +88,6 @@ Colour with_lines(const Pixel& pixel, const Pixel& left, const Pixel& above) {
 }
 
 }  // namespace
-
-double bilinear(const Raster& raster, double x, double y, double missing) {
-  const Grid& grid = raster.grid;
-  if (!grid.has_cell(grid.column_of(x), grid.row_of(y))) return Raster::no_data;
-  const double u = std::clamp((x - grid.west) / grid.dx - 0.5, 0.0, grid.columns - 1.0);
-  const double v = std::clamp((grid.north - y) / grid.dy - 0.5, 0.0, grid.rows - 1.0);
-  const int column = std::min(static_cast<int>(u), std::max(grid.columns - 2, 0));
-  const int row = std::min(static_cast<int>(v), std::max(grid.rows - 2, 0));
-  const auto at = [&](int c, int r) {
-    const double value = raster.at(std::min(c, grid.columns - 1), std::min(r, grid.rows - 1));
-    return std::isnan(value) ? missing : value;
-  };
-  const double s = u - column;
-  const double t = v - row;
-  return (1 - t) * ((1 - s) * at(column, row) + s * at(column + 1, row)) +
-         t * ((1 - s) * at(column, row + 1) + s * at(column + 1, row + 1));
-}
 
 Image draw_relief(const Relief& relief, const MapView& view, int width, int height) {
   const Raster shade = hillshade(relief.elevation);

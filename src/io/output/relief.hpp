@@ -13,10 +13,6 @@ struct MapView {
   double north = 1;
 };
 
-/// Value between cell centres; a neighbour without data counts as `missing`. NaN where the result
-/// is, and outside the grid.
-double bilinear(const Raster& raster, double x, double y, double missing);
-
 struct Relief {
   const Raster& elevation;
   const Raster& values;

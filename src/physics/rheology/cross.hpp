@@ -4,6 +4,7 @@
 
 #include "base/describe.hpp"
 #include "base/host_device.hpp"
+#include "physics/rheology/shear.hpp"
 
 namespace sabo {
 
@@ -34,13 +35,13 @@ struct Cross {
 
   /// mu_inf + (mu_0 - mu_inf) tau_B^m / (tau_B^m + (mu_0 gd)^m): Eq. 21 with K = mu_0 / tau_B
   /// multiplied out, so that tau_B -> 0 is harmless. Both arguments zero give mu_inf.
-  SABO_HD double viscosity(double shear_rate, double yield_stress) const {
+  SABO_HD double viscosity(const Shear& at) const {
     using std::pow;
-    const double viscous = max_viscosity() * shear_rate;
-    const double larger = viscous > yield_stress ? viscous : yield_stress;
+    const double viscous = max_viscosity() * at.rate;
+    const double larger = viscous > at.yield_stress ? viscous : at.yield_stress;
     if (!(larger > 0)) return mu_inf;
     const double a = viscous / larger;  // in [0, 1], one of the two is 1
-    const double b = yield_stress / larger;
+    const double b = at.yield_stress / larger;
     const double bm = m == 1 ? b : pow(b, m);
     const double am = m == 1 ? a : pow(a, m);
     return mu_inf + (max_viscosity() - mu_inf) * bm / (bm + am);

@@ -4,6 +4,7 @@
 
 #include "base/describe.hpp"
 #include "base/host_device.hpp"
+#include "physics/rheology/shear.hpp"
 
 namespace sabo {
 
@@ -31,9 +32,9 @@ struct GeneralCross {
   }
 
   /// Written as mu_inf + (mu_0 - mu_inf) / (1 + x), which holds where x overflows to infinity.
-  SABO_HD double viscosity(double shear_rate, double /*yield_stress*/) const {
+  SABO_HD double viscosity(const Shear& at) const {
     using std::pow;
-    return mu_inf + (mu_0 - mu_inf) / (1 + pow(k * shear_rate, m));
+    return mu_inf + (mu_0 - mu_inf) / (1 + pow(k * at.rate, m));
   }
   SABO_HD double max_viscosity() const { return mu_0 > mu_inf ? mu_0 : mu_inf; }
 };

@@ -2,6 +2,7 @@
 
 #include "base/describe.hpp"
 #include "base/host_device.hpp"
+#include "physics/rheology/shear.hpp"
 
 namespace sabo {
 
@@ -18,7 +19,7 @@ struct Newtonian {
     v(Key{"viscosity", "Pa s", "dynamic viscosity"}.at_least(0).at_most(1e9), mu);
   }
 
-  SABO_HD double viscosity(double /*shear_rate*/, double /*yield_stress*/) const { return mu; }
+  SABO_HD double viscosity(const Shear&) const { return mu; }
   SABO_HD double max_viscosity() const { return mu; }
 };
 

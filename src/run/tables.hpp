@@ -12,7 +12,13 @@ namespace sabo {
 /// dam, one alone without a dam.
 std::vector<PageTable> volume_tables(const Case& c, const Scene& scene, const SeriesRow& row);
 
-/// The same as aligned text.
-std::vector<std::string> volume_table_text(const Case& c, const Scene& scene, const SeriesRow& row);
+/// Depth in each zone beside what was observed; of a case with zones.
+PageTable zone_table(const Case& c, const SeriesRow& row);
+
+/// Every key of the material and of the method with its value and unit.
+PageTable parameter_table(const Case& c);
+
+/// A table as aligned lines of text.
+std::vector<std::string> text_of(const PageTable& table);
 
 }  // namespace sabo

@@ -1,21 +1,22 @@
-#include "io/gis/read_thickness.hpp"
+#include "io/gis/read_raster.hpp"
 
 #include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "io/gis/check_elevations.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/raster_file.hpp"
 
 namespace sabo {
 namespace {
 
-void check_crs(const RasterFile& file, const std::string& dem_crs, bool assume_metres) {
+void check_crs(const RasterFile& file, const RasterPlace& place) {
   const OGRSpatialReference& crs = file.crs();
-  const OGRSpatialReference dem = crs_of(dem_crs);
+  const OGRSpatialReference dem = crs_of(place.dem_crs);
   if (is_unknown(crs)) {
-    if (dem.IsEmpty() || assume_metres) return;
+    if (dem.IsEmpty() || place.assume_metres) return;
     file.refuse("has no coordinate system, the DEM has " + name_of(dem),
                 "give it that one (gdal_edit.py -a_srs), or set terrain.assume_metres = true");
   }
@@ -47,12 +48,19 @@ void check_values(const RasterFile& file, const Raster& raster) {
 
 }  // namespace
 
-Raster read_thickness(const std::filesystem::path& file, const std::string& dem_crs,
-                      bool assume_metres) {
-  const RasterFile source(file, "release.thickness_raster");
-  check_crs(source, dem_crs, assume_metres);
+Raster read_thickness(const std::filesystem::path& file, const RasterPlace& place) {
+  const RasterFile source(file, place.key);
+  check_crs(source, place);
   Raster raster = source.read();
   check_values(source, raster);
+  return raster;
+}
+
+Raster read_elevation(const std::filesystem::path& file, const RasterPlace& place) {
+  const RasterFile source(file, place.key);
+  check_crs(source, place);
+  Raster raster = source.read();
+  check_elevations(place.key, source.name(), raster);
   return raster;
 }
 

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "base/describe.hpp"
+#include "case/line_source.hpp"
+
+namespace sabo {
+
+// What is measured, and what it is compared with.
+
+struct SectionCase {
+  std::string name;
+  LineSource line;
+
+  template <class V>
+  void describe(V&& v) {
+    v(Key{"name", "", "used in the outputs"}, name);
+    v(Key{"line", "",
+          "section for discharge, positive from left to right looking from its first vertex to "
+          "its last: a vector file or coordinates"}
+          .required(),
+      line);
+  }
+};
+
+struct ZoneCase {
+  std::string name;
+  LineSource polygon;
+  std::optional<double> observed;
+  std::string source = "observed";
+
+  template <class V>
+  void describe(V&& v) {
+    v(Key{"name", "", "used in the outputs"}, name);
+    v(Key{"polygon", "", "area whose depth is measured: a vector file or coordinates"}.required(),
+      polygon);
+    v(Key{"observed", "m", "mean depth to compare with"}.at_least(0).at_most(1e4), observed);
+    v(Key{"source", "", "where the observed depth is from, e.g. a survey"}, source);
+  }
+};
+
+struct PathCase {
+  LineSource line;
+
+  template <class V>
+  void describe(V&& v) {
+    v(Key{"line", "",
+          "line along the valley for the front; without it, steepest descent from the release"},
+      line);
+  }
+};
+
+/// Volumes known from elsewhere, printed beside those of the run.
+struct ReferenceCase {
+  std::string name;
+  std::optional<double> released;
+  std::optional<double> trapped;
+  std::optional<double> beyond;
+
+  template <class V>
+  void describe(V&& v) {
+    v(Key{"name", "", "source of the volumes, e.g. a survey"}.required(), name);
+    v(Key{"released", "m3", "volume that started to move"}.at_least(0).at_most(1e12), released);
+    v(Key{"trapped", "m3", "volume held above the dam"}.at_least(0).at_most(1e12), trapped);
+    v(Key{"beyond", "m3", "volume that passed the dam"}.at_least(0).at_most(1e12), beyond);
+  }
+};
+
+}  // namespace sabo

@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "base/describe.hpp"
+#include "physics/switches.hpp"
+
+namespace sabo {
+
+enum class Method { paper };
+template <>
+struct Words<Method> {
+  static constexpr std::array<std::string_view, 1> list{"paper"};
+};
+
+enum class BackendKind { reference, cpu };
+template <>
+struct Words<BackendKind> {
+  static constexpr std::array<std::string_view, 2> list{"reference", "cpu"};
+};
+
+struct NumericsCase {
+  double spacing = 0;
+  Method method = Method::paper;
+  BackendKind backend = BackendKind::cpu;
+  int threads = 0;
+  double h_over_dp = 1.5;
+  double sound_speed_factor = 10;
+  std::optional<double> h_max;
+  double reference_speed = 0;
+  double density_diffusion = 0.1;
+  DiffusionForm diffusion_form = DiffusionForm::molteni;
+  double artificial_viscosity = 0;
+  ViscousOperator viscous_operator = ViscousOperator::nested;
+  BoundaryStress boundary_stress = BoundaryStress::own;
+  bool as_printed = false;
+  double cfl = 0.2;
+  std::optional<double> viscous_cfl;
+  double gravity = 9.81;
+
+  template <class V>
+  void describe(V&& v) {
+    v(Key{"spacing", "m", "initial distance of particles dp; the flow should be 4 or more deep"}
+          .at_least(1e-6)
+          .at_most(1e4)
+          .required(),
+      spacing);
+    v(Key{"method", "", "paper: weakly compressible SPH as published in 2016"}, method);
+    v(Key{"backend", "", "where the particle loops run: cpu, or reference (serial, all pairs)"},
+      backend);
+    v(Key{"threads", "", "number of threads; 0 takes all. The results do not depend on it"}
+          .at_least(0)
+          .at_most(1024),
+      threads);
+    v(Key{"h_over_dp", "", "smoothing length over spacing"}.at_least(1).at_most(3), h_over_dp);
+    v(Key{"sound_speed_factor", "", "beta in c0 = beta sqrt(g h_max)"}.at_least(1).at_most(1000),
+      sound_speed_factor);
+    v(Key{"h_max", "m", "depth that sets the sound speed; default: the greatest release depth"}
+          .above(0)
+          .at_most(1e5),
+      h_max);
+    v(Key{"reference_speed", "m/s",
+          "fastest speed expected: the sound speed is at least beta times this"}
+          .at_least(0)
+          .at_most(1e4),
+      reference_speed);
+    v(Key{"density_diffusion", "", "zeta of the delta-SPH term (Eq. 11)"}.at_least(0).at_most(1),
+      density_diffusion);
+    v(Key{"diffusion_form", "",
+          "molteni: as published, a thin layer swells over seconds; fourtakas: leaves the density "
+          "gradient of a fluid at rest alone"},
+      diffusion_form);
+    v(Key{"artificial_viscosity", "", "Monaghan's alpha; for water cases 0.01 to 0.05"}
+          .at_least(0)
+          .at_most(10),
+      artificial_viscosity);
+    v(Key{"viscous_operator", "",
+          "nested: divergence of the stress tensor (Eq. 18); morris: two-point (Morris 1997)"},
+      viscous_operator);
+    v(Key{"boundary_stress", "",
+          "stress that boundary particles carry: own, mirror (own, with the wall moving against "
+          "the flow) or none; it decides the mobility"},
+      boundary_stress);
+    v(Key{"as_printed", "", "keep the printed factor 1/2 of Eqs. 16-17, which halves viscosity"},
+      as_printed);
+    v(Key{"cfl", "", "acoustic time step over h / max(c0, 10 v)"}.above(0).at_most(1.5), cfl);
+    v(Key{"viscous_cfl", "",
+          "viscous time step over h^2 rho / mu; default 0.6 (nested), 1.2 (as_printed), "
+          "0.23 (morris)"}
+          .above(0)
+          .at_most(10),
+      viscous_cfl);
+    v(Key{"gravity", "m/s2", "acceleration of gravity, downwards"}.at_least(0).at_most(1000),
+      gravity);
+  }
+};
+
+}  // namespace sabo

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace sabo {
+
+/// Every file that a case names, in the order of its keys, each once; of a folder the files in it,
+/// sorted. Names of GDAL's virtual file systems ("/vsi...") are left out.
+std::vector<std::filesystem::path> input_files(Case c);
+
+}  // namespace sabo

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "io/case_file/read_case.hpp"
+
+namespace sabo {
+
+/// The case that a user names: a case file, a folder with a case.toml, or the input folder of other
+/// software (AvaFrame). Faults and overrides are those of read_case().
+Case load_case(const std::filesystem::path& path, Faults& faults,
+               const std::vector<Override>& overrides = {});
+
+}  // namespace sabo

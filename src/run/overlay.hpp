@@ -1,0 +1,17 @@
+#pragma once
+
+#include <vector>
+
+#include "io/output/map_picture.hpp"
+#include "run/scene.hpp"
+
+namespace sabo {
+
+/// Path, zones, dams and sections of a scene as lines over a map, in the solver frame.
+std::vector<MapLine> overlay(const Scene& scene);
+
+/// Appends the outlines of polygons; the label stands at the first.
+void add_outlines(MapLine::Kind kind, const std::string& label,
+                  const std::vector<Polygon>& polygons, std::vector<MapLine>& lines);
+
+}  // namespace sabo

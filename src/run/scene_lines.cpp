@@ -1,0 +1,44 @@
+#include "run/scene_lines.hpp"
+
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "io/gis/read_vectors.hpp"
+
+namespace sabo {
+namespace {
+
+std::vector<Vec3d> points_of(const LineSource& source) {
+  std::vector<Vec3d> points;
+  for (const auto& c : source.coordinates) points.push_back({c[0], c[1], c[2]});
+  return points;
+}
+
+}  // namespace
+
+Polyline read_line(const LineSource& source, const std::string& key, const Frame& frame) {
+  Polyline line{points_of(source), source.has_z};
+  if (!source.file.empty()) {
+    std::vector<Polyline> lines = read_lines(source.file, frame.crs, key);
+    if (lines.size() != 1) {
+      throw CaseError(
+          key, fmt::format("{} holds {} lines, one is wanted", source.file.string(), lines.size()),
+          "leave one line in the file, or give coordinates");
+    }
+    line = std::move(lines.front());
+  }
+  for (Vec3d& vertex : line.vertices) vertex = moved(frame, vertex);
+  return line;
+}
+
+std::vector<Polygon> read_area(const LineSource& source, const std::string& key,
+                               const Frame& frame) {
+  std::vector<Polygon> polygons = source.file.empty() ? std::vector<Polygon>{{{points_of(source)}}}
+                                                      : read_polygons(source.file, frame.crs, key);
+  for (Polygon& polygon : polygons) move(frame, polygon);
+  return polygons;
+}
+
+}  // namespace sabo

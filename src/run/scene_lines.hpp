@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "case/line_source.hpp"
+#include "terrain/polyline.hpp"
+#include "terrain/raster.hpp"
+
+namespace sabo {
+
+/// A point of the CRS in the solver frame.
+inline Vec3d moved(const Frame& frame, const Vec3d& x) {
+  return x - Vec3d{frame.origin_x, frame.origin_y, 0};
+}
+
+inline void move(const Frame& frame, Grid& grid) {
+  grid.west -= frame.origin_x;
+  grid.north -= frame.origin_y;
+}
+
+inline void move(const Frame& frame, Polygon& polygon) {
+  for (std::vector<Vec3d>& ring : polygon.rings)
+    for (Vec3d& vertex : ring) vertex = moved(frame, vertex);
+}
+
+/// The one line that a key of the case names, in the solver frame. Throws CaseError at the key.
+Polyline read_line(const LineSource& source, const std::string& key, const Frame& frame);
+
+/// The polygons that a key of the case names, in the solver frame. Throws CaseError at the key.
+std::vector<Polygon> read_area(const LineSource& source, const std::string& key,
+                               const Frame& frame);
+
+}  // namespace sabo

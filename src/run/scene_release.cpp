@@ -1,0 +1,115 @@
+#include "run/scene_release.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "io/gis/read_points.hpp"
+#include "io/gis/read_raster.hpp"
+#include "io/gis/read_vectors.hpp"
+#include "run/scene_lines.hpp"
+#include "solver/flow_model.hpp"
+#include "terrain/release.hpp"
+
+namespace sabo {
+namespace {
+
+/// Polygons with the thickness that an attribute of each says.
+std::vector<ThickPolygon> read_thick_polygons(const ReleaseCase& release, const Frame& frame) {
+  std::vector<ThickPolygon> thick;
+  for (ValuedPolygon& valued :
+       read_valued_polygons(release.polygon.file, frame.crs, "release.thickness_attribute",
+                            release.thickness_attribute)) {
+    if (!(valued.value > 0 && valued.value <= 1e4)) {
+      throw CaseError("release.thickness_attribute",
+                      fmt::format("{} has a polygon with {} = {:g}", release.polygon.file.string(),
+                                  release.thickness_attribute, valued.value),
+                      "give a thickness above 0, in m");
+    }
+    move(frame, valued.polygon);
+    thick.push_back({std::move(valued.polygon), valued.value});
+  }
+  return thick;
+}
+
+ReleaseShape polygon_shape(const ReleaseCase& release, const Frame& frame) {
+  if (!release.thickness_attribute.empty()) return release_of(read_thick_polygons(release, frame));
+  std::vector<ThickPolygon> thick;
+  for (Polygon& polygon : read_area(release.polygon, "release.polygon", frame))
+    thick.push_back({std::move(polygon), release.thickness.value_or(1)});
+  return release_of(std::move(thick));
+}
+
+ReleaseShape raster_shape(const Case& c, const Frame& frame) {
+  Raster thickness = read_thickness(
+      c.release.thickness_raster, {"release.thickness_raster", frame.crs, c.terrain.assume_metres});
+  move(frame, thickness.grid);
+  return release_of(std::move(thickness));
+}
+
+ReleaseShape release_shape(const Case& c, const Scene& scene) {
+  ReleaseShape shape = scene.lost                   ? release_of(scene.lost->thickness)
+                       : !c.release.polygon.given() ? raster_shape(c, scene.frame)
+                                                    : polygon_shape(c.release, scene.frame);
+  if (c.release.normal) shape = made_vertical(shape, *scene.surface, c.numerics.spacing);
+  return c.release.volume ? scaled_to(shape, *c.release.volume) : shape;
+}
+
+Particles released_by(const Case& c, const Scene& scene) {
+  const ReleaseSettings settings{c.numerics.spacing, c.material.density, scene.frame};
+  if (c.release.points.empty()) return released(*scene.surface, release_shape(c, scene), settings);
+  const auto& offset = c.release.points_offset;
+  std::vector<Vec3d> points = read_points(c.release.points, Vec3d{offset[0], offset[1], offset[2]});
+  for (Vec3d& point : points) point = moved(scene.frame, point);
+  return released(*scene.surface, points, c.release.point_volume, settings);
+}
+
+/// Gives the release the pressure of its own weight on a slope, p = rho g d cos^2(theta) with the
+/// vertical depth d below the top of its column, so that it does not start with a thud.
+void make_hydrostatic(const Case& c, Scene& scene) {
+  Particles& release = scene.release;
+  const double dp = c.numerics.spacing;
+  const auto column_of = [&](const Vec3d& x) {
+    return std::pair{std::floor(x.x / dp), std::floor(x.y / dp)};
+  };
+  std::map<std::pair<double, double>, double> top;
+  for (const Vec3d& x : release.position) {
+    const auto [entry, is_new] = top.try_emplace(column_of(x), x.z);
+    if (!is_new) entry->second = std::max(entry->second, x.z);
+  }
+  for (const Vec3d& x : release.position)
+    scene.release_depth = std::max(
+        scene.release_depth, top.at(column_of(x)) + 0.5 * dp - scene.surface->height(x.x, x.y));
+
+  const Tait state = flow_model(c.material, c.numerics, scene.release_depth).state;
+  for (std::size_t i = 0; i < release.size(); ++i) {
+    const Vec3d& x = release.position[i];
+    const double depth = top.at(column_of(x)) + 0.5 * dp - x.z;
+    const double cosine = scene.surface->normal(x.x, x.y).z;
+    release.density[i] = state.density(state.rho0 * c.numerics.gravity * depth * cosine * cosine);
+  }
+}
+
+void summarise(const Case& c, Scene& scene) {
+  double mass = 0;
+  for (std::size_t i = 0; i < scene.release.size(); ++i) {
+    mass += scene.release.mass[i];
+    scene.release_centre += scene.release.mass[i] * scene.release.position[i];
+  }
+  scene.release_centre *= 1 / mass;
+  scene.release_volume = mass / c.material.density;
+}
+
+}  // namespace
+
+void read_release(const Case& c, Scene& scene) {
+  scene.release = released_by(c, scene);
+  summarise(c, scene);
+  make_hydrostatic(c, scene);
+}
+
+}  // namespace sabo

@@ -1,0 +1,215 @@
+#include "run/state_pictures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/columns.hpp"
+#include "base/error.hpp"
+#include "io/case_file/read_case.hpp"
+#include "io/output/file.hpp"
+#include "io/output/index_page.hpp"
+#include "io/output/map_picture.hpp"
+#include "io/output/read_vtp.hpp"
+#include "io/output/scene_picture.hpp"
+#include "run/overlay.hpp"
+#include "run/scene.hpp"
+
+namespace sabo {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::size_t default_count = 6;
+
+struct Quantity {
+  const char* name;
+  const char* title;
+  const char* label;
+  Raster (Columns::*raster)() const;
+  double scale;  ///< from the unit of the raster to that of the label
+};
+constexpr std::array<Quantity, 3> quantities{
+    {{"depth", "Depth", "depth [m]", &Columns::depth, 1},
+     {"speed", "Speed", "speed [m/s]", &Columns::speed, 1},
+     {"pressure", "Pressure", "greatest pressure in the column [kPa]", &Columns::pressure, 1e-3}}};
+
+const ParticleArray& array_of(const ParticleFrame& frame, const char* name, std::size_t components,
+                              const fs::path& file) {
+  const ParticleArray* array = frame.find(name);
+  if (!array || array->values.size() != components * frame.points.size()) {
+    throw CaseError(file.string(), fmt::format("has no array \"{}\"", name),
+                    "run the case again with this version of sabo");
+  }
+  return *array;
+}
+
+/// What pictures need of a frame, in the solver frame of the scene.
+Particles particles_of(const fs::path& file, const Frame& frame) {
+  const ParticleFrame read = read_particles_vtp(file);
+  const auto& velocity = array_of(read, "velocity [m/s]", 3, file).values;
+  const auto& pressure = array_of(read, "pressure [Pa]", 1, file).values;
+  const auto& mass = array_of(read, "mass [kg]", 1, file).values;
+  const Vec3d shift = read.origin - Vec3d{frame.origin_x, frame.origin_y, 0};
+  Particles particles;
+  particles.resize(read.points.size());
+  for (std::size_t i = 0; i < particles.size(); ++i) {
+    const Vec3f& x = read.points[i];
+    particles.position[i] = shift + Vec3d{x.x, x.y, x.z};
+    particles.velocity[i] = {velocity[3 * i], velocity[3 * i + 1], velocity[3 * i + 2]};
+    particles.pressure[i] = pressure[i];
+    particles.mass[i] = mass[i];
+  }
+  return particles;
+}
+
+/// The frames nearest to the times, each once, in order.
+std::vector<PvdEntry> chosen_frames(const std::vector<PvdEntry>& frames,
+                                    std::vector<double> times) {
+  const double end = frames.back().time;
+  if (times.empty()) {
+    for (std::size_t k = 1; k <= default_count; ++k) times.push_back(end * k / default_count);
+  }
+  std::vector<PvdEntry> chosen;
+  for (const double time : times) {
+    if (!(time >= 0 && time <= end * (1 + 1e-9))) {
+      throw CaseError("--times", fmt::format("{:g} s is not within the run", time),
+                      fmt::format("give times from 0 to {:g} s", end));
+    }
+    const auto nearest = std::ranges::min_element(
+        frames, {}, [time](const PvdEntry& e) { return std::abs(e.time - time); });
+    const bool is_new =
+        std::ranges::none_of(chosen, [&](const PvdEntry& e) { return e.file == nearest->file; });
+    if (is_new) chosen.push_back(*nearest);
+  }
+  std::ranges::sort(chosen, {}, &PvdEntry::time);
+  return chosen;
+}
+
+/// Draws one frame after the other; the first pass over them sets scales and view.
+class StatePictures {
+ public:
+  StatePictures(const fs::path& folder, const Case& c, const Scene& scene)
+      : folder_(folder),
+        case_(c),
+        scene_(scene),
+        ground_(scene.surface->elevation()),
+        columns_(ground_, c.numerics.spacing, c.material.density),
+        greatest_depth_(ground_.grid) {}
+
+  std::vector<PagePicture> draw(const std::vector<PvdEntry>& frames) {
+    for (const PvdEntry& frame : frames) {
+      take(frame);
+      for (std::size_t k = 0; k < quantities.size(); ++k) tops_[k] = std::max(tops_[k], top_of(k));
+      for (const std::size_t cell : columns_.touched())
+        greatest_depth_.values[cell] = std::max(greatest_depth_.values[cell], columns_.depth(cell));
+    }
+    view_ = view_around(greatest_depth_, Columns::wet_depth);
+    direction_ = scene_direction(scene_picture("", 0), ground_, greatest_depth_);
+    for (const PvdEntry& frame : frames) {
+      take(frame);
+      for (std::size_t k = 0; k < quantities.size(); ++k) draw_quantity(frame.time, k);
+    }
+    return std::move(pictures_);
+  }
+
+ private:
+  void take(const PvdEntry& frame) {
+    columns_.update(particles_of(folder_ / "frames" / frame.file, scene_.frame));
+  }
+
+  Raster values_of(std::size_t k) const {
+    Raster values = (columns_.*quantities[k].raster)();
+    for (double& value : values.values) value *= quantities[k].scale;
+    return values;
+  }
+
+  double top_of(std::size_t k) const {
+    double top = 0;
+    for (const double value : values_of(k).values)
+      if (value > top) top = value;  // false for NaN
+    return top;
+  }
+
+  ScenePicture scene_picture(std::string title, std::size_t k) const {
+    ScenePicture picture;
+    picture.title = std::move(title);
+    picture.note = case_.note;
+    picture.quantity = quantities[k].label;
+    picture.threshold = Columns::wet_depth;
+    picture.top = tops_[k];
+    picture.view = view_;
+    for (const CheckDam& dam : scene_.dams) picture.walls.push_back(wall_of(dam));
+    picture.lines = overlay(scene_);
+    return picture;
+  }
+
+  void draw_quantity(double time, std::size_t k) {
+    const Quantity& quantity = quantities[k];
+    const std::string title = fmt::format("{} at {:.1f} s", quantity.title, time);
+    const Raster values = values_of(k);
+    MapPicture map{title, case_.note, quantity.label, k == 0 ? Columns::wet_depth : 0, tops_[k]};
+    map.view = view_;
+    map.lines = overlay(scene_);
+    add(quantity.name, time, "map", map_svg(map, ground_, values), title + ", from above");
+
+    ScenePicture scene = scene_picture(title, k);
+    scene.azimuth = direction_.azimuth;
+    scene.down = direction_.down;
+    add(quantity.name, time, "3d", scene_svg(scene, ground_, columns_.depth(), values),
+        title + ", in perspective");
+  }
+
+  void add(const char* quantity, double time, const char* kind, const std::string& svg,
+           const std::string& caption) {
+    const std::string name =
+        fmt::format("pictures/state_{}_{:07.1f}s_{}.svg", quantity, time, kind);
+    write_file_atomically(folder_ / name, svg);
+    pictures_.push_back({name, caption, false});
+  }
+
+  const fs::path& folder_;
+  const Case& case_;
+  const Scene& scene_;
+  const Raster& ground_;
+  Columns columns_;
+  Raster greatest_depth_;
+  std::array<double, quantities.size()> tops_{};
+  MapView view_;
+  LookDirection direction_;
+  std::vector<PagePicture> pictures_;
+};
+
+Scene scene_of_run(const Case& c) {
+  Faults faults;
+  Scene scene = make_scene(c, faults);
+  faults.throw_if_any();
+  return scene;
+}
+
+}  // namespace
+
+fs::path draw_states(const fs::path& run_folder, const std::vector<double>& times) {
+  Faults faults;
+  const Case c = read_case(run_folder, faults);
+  faults.throw_if_any();
+  const std::vector<PvdEntry> frames = read_pvd(run_folder / "frames" / "flow.pvd");
+  if (frames.empty()) {
+    throw CaseError(run_folder.string(), "has no frames", "run the case again");
+  }
+  const Scene scene = scene_of_run(c);
+
+  IndexPage page;
+  page.title = (c.title.empty() ? "Debris flow" : c.title) + ": states of the flow";
+  page.subtitle = "Depth, speed and pressure; one colour scale for each quantity";
+  page.note = c.note;
+  page.pictures = StatePictures(run_folder, c, scene).draw(chosen_frames(frames, times));
+  const fs::path file = run_folder / "states.html";
+  write_file_atomically(file, index_html(page));
+  return file;
+}
+
+}  // namespace sabo
