@@ -37,7 +37,7 @@ void move(const Frame& frame, Grid& grid) {
 }
 
 void read_terrain(const TerrainCase& c, Scene& scene) {
-  Dem dem = read_dem(c.dem, c.assume_metres, c.crop);
+  Dem dem = read_dem({.file = c.dem, .assume_metres = c.assume_metres, .crop = c.crop});
   scene.frame = {std::floor(dem.raster.grid.west), std::floor(dem.raster.grid.south()),
                  dem.crs_wkt};
   move(scene.frame, dem.raster.grid);
