@@ -21,7 +21,7 @@ class ReadDem : public testing::Test {
  protected:
   Dem read(const MadeRaster& made) {
     made.write(folder_ / "dem.tif");
-    return read_dem(folder_ / "dem.tif", false);
+    return read_dem({.file = folder_ / "dem.tif"});
   }
   Fault fault(const MadeRaster& made) {
     return fault_of([&] { read(made); });
@@ -41,12 +41,12 @@ TEST_F(ReadDem, ReadsEsriAsciiUnderAnyName) {
   const auto file = folder_.write("dem.txt",
                                   "ncols 3\nnrows 2\nxllcorner 618049.312\nyllcorner 20\n"
                                   "cellsize 2\nNODATA_value -9999\n1 2 3\n4.5 -9999 6\n");
-  const Dem dem = read_dem(file, true);
+  const Dem dem = read_dem({.file = file, .assume_metres = true});
   EXPECT_EQ(dem.raster.grid.west, 618049.312);
   EXPECT_EQ(dem.raster.grid.north, 24);
   EXPECT_THAT(dem.raster.values, ElementsAre(1, 2, 3, 4.5, IsNan(), 6));
   EXPECT_EQ(dem.crs_wkt, "");
-  const Fault fault = fault_of([&] { read_dem(file, false); });
+  const Fault fault = fault_of([&] { read_dem({.file = file}); });
   EXPECT_EQ(fault.place, "terrain.dem");
   EXPECT_THAT(fault.problem, HasSubstr("no coordinate system"));
   EXPECT_THAT(fault.remedy, HasSubstr("assume_metres"));
@@ -57,13 +57,13 @@ TEST_F(ReadDem, CropReadsTheCellsThatTouchTheWindow) {
   made.values = {1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
   made.write(folder_ / "dem.tif");
   // Columns start at x = 100, 110, 120, 130; rows end at y = 220, 210, 200.
-  const Dem inside = read_dem(folder_ / "dem.tif", false, {{115, 190, 125, 205}});
+  const Dem inside = read_dem({.file = folder_ / "dem.tif", .crop = {{115, 190, 125, 205}}});
   EXPECT_THAT(inside.raster.values, ElementsAre(6, 7, 10, 11));
   EXPECT_EQ(inside.raster.grid.west, 110);
   EXPECT_EQ(inside.raster.grid.north, 210);
-  const Dem along_edges = read_dem(folder_ / "dem.tif", false, {{110, 200, 130, 220}});
+  const Dem along_edges = read_dem({.file = folder_ / "dem.tif", .crop = {{110, 200, 130, 220}}});
   EXPECT_THAT(along_edges.raster.values, ElementsAre(2, 3, 6, 7));
-  const Dem beyond = read_dem(folder_ / "dem.tif", false, {{-1e30, -1e30, 1e30, 1e30}});
+  const Dem beyond = read_dem({.file = folder_ / "dem.tif", .crop = {{-1e30, -1e30, 1e30, 1e30}}});
   EXPECT_EQ(beyond.raster.values.size(), 12u);
 }
 
@@ -71,7 +71,7 @@ TEST_F(ReadDem, RefusesAWindowBesideTheDem) {
   MadeRaster{}.write(folder_ / "dem.tif");
   for (const std::array<double, 4> crop :
        {std::array<double, 4>{0, 0, 50, 50}, {130, 200, 100, 220}, {std::nan(""), 0, 1, 1}}) {
-    const Fault fault = fault_of([&] { read_dem(folder_ / "dem.tif", false, crop); });
+    const Fault fault = fault_of([&] { read_dem({.file = folder_ / "dem.tif", .crop = crop}); });
     EXPECT_EQ(fault.place, "terrain.crop");
   }
 }
@@ -100,7 +100,7 @@ TEST_F(ReadDem, HonoursAMask) {
                                                               2, GDT_Byte, 0, 0, nullptr),
               CE_None);
   }
-  EXPECT_THAT(read_dem(folder_ / "dem.tif", false).raster.values,
+  EXPECT_THAT(read_dem({.file = folder_ / "dem.tif"}).raster.values,
               ElementsAre(1, 2, IsNan(), 4, IsNan(), 6));
 }
 
@@ -129,12 +129,12 @@ TEST_F(ReadDem, NamesAnUndeclaredNodataValue) {
 
 TEST_F(ReadDem, RefusesFilesThatAreNoRasters) {
   const auto fault_in = [](const std::filesystem::path& file) {
-    return fault_of([&] { read_dem(file, false); });
+    return fault_of([&] { read_dem({.file = file}); });
   };
   EXPECT_THAT(fault_in(folder_ / "none.tif").problem, HasSubstr("no such file"));
   EXPECT_THAT(fault_in(folder_.write("text.tif", "not a raster")).problem,
               HasSubstr("cannot be read as a raster"));
-  EXPECT_THAT(fault_in(folder_ / "").problem, HasSubstr("cannot be read as a raster"));
+  EXPECT_THAT(fault_in(folder_ / "").problem, HasSubstr("holds no DEM tile"));
 }
 
 TEST_F(ReadDem, RefusesADamagedRaster) {
@@ -142,7 +142,7 @@ TEST_F(ReadDem, RefusesADamagedRaster) {
   made.values.assign(10000, 7);
   made.write(folder_ / "dem.tif");
   std::filesystem::resize_file(folder_ / "dem.tif", 20000);
-  const Fault fault = fault_of([&] { read_dem(folder_ / "dem.tif", false); });
+  const Fault fault = fault_of([&] { read_dem({.file = folder_ / "dem.tif"}); });
   EXPECT_EQ(fault.place, "terrain.dem");
 }
 
@@ -150,17 +150,19 @@ TEST_F(ReadDem, RefusesMoreCellsThanFitInMemory) {
   const auto file = folder_.write("huge.asc",
                                   "ncols 30000\nnrows 20000\nxllcorner 0\nyllcorner 0\n"
                                   "cellsize 1\n1 2 3\n");
-  EXPECT_THAT(fault_of([&] { read_dem(file, true); }).problem, HasSubstr("30000 x 20000 cells"));
+  EXPECT_THAT(fault_of([&] { read_dem({.file = file, .assume_metres = true}); }).problem,
+              HasSubstr("30000 x 20000 cells"));
 }
 
 TEST(ReadDemOfSharedData, ReadsRealTerrain) {
   const auto folder = data_folder() / "terrain";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "no shared data";
-  const Dem slide = read_dem(folder / "dangchuan7_1m/dc7_dem_1411slide.txt", true);
+  const Dem slide =
+      read_dem({.file = folder / "dangchuan7_1m/dc7_dem_1411slide.txt", .assume_metres = true});
   EXPECT_EQ(slide.raster.grid.columns, 231);
   EXPECT_EQ(slide.raster.grid.rows, 261);
   EXPECT_EQ(slide.raster.grid.dx, 1);
-  const Dem gully = read_dem(folder / "bhutan_2m/DEM.tif", false);
+  const Dem gully = read_dem({.file = folder / "bhutan_2m/DEM.tif"});
   EXPECT_EQ(gully.raster.grid.columns, 269);
   EXPECT_THAT(gully.crs_wkt, HasSubstr("Bhutan National Grid"));
 }

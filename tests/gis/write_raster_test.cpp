@@ -30,7 +30,7 @@ TEST(WriteRaster, ComesBackAsWritten) {
   const TemporaryFolder folder;
   const RasterInfo info{wkt_of_code("EPSG:32654"), "final deposit", "m", {{"TIME", "120 s"}}};
   write_raster(folder / "dep.tif", small_raster(), info);
-  const Dem dem = read_dem(folder / "dep.tif", false);
+  const Dem dem = read_dem({.file = folder / "dep.tif"});
   EXPECT_EQ(dem.raster.grid, small_raster().grid);
   EXPECT_THAT(dem.raster.values, ElementsAre(0.25, IsNan(), 1.5, -2));
   EXPECT_THAT(dem.crs_wkt, HasSubstr("32654"));

@@ -54,11 +54,7 @@ void RasterFile::read_geotransform() {
 }
 
 Raster RasterFile::read(const CellWindow& window) const {
-  Grid grid = grid_;
-  grid.columns = window.columns;
-  grid.rows = window.rows;
-  grid.west += window.column * grid.dx;
-  grid.north -= window.row * grid.dy;
+  const Grid grid = part_of(grid_, window);
   if (grid.size() > max_cells) {
     refuse(
         fmt::format("has {} x {} cells, more than {} in all", grid.columns, grid.rows, max_cells),

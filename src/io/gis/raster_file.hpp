@@ -6,18 +6,11 @@
 
 #include <gdal_priv.h>
 
+#include "io/gis/crop_window.hpp"
 #include "io/gis/gdal_errors.hpp"
 #include "terrain/raster.hpp"
 
 namespace sabo {
-
-/// Rectangle of cells of a grid.
-struct CellWindow {
-  int column = 0;  ///< its north-west cell
-  int row = 0;
-  int columns = 0;
-  int rows = 0;
-};
 
 /// A raster of one band opened for reading. Whatever is wrong with it is a CaseError at `key`, the
 /// key of the case that names the file.

@@ -12,6 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "io/gis/shown_text.hpp"
 
 namespace sabo {
 namespace {
@@ -61,15 +62,6 @@ std::optional<Vec3d> point_of(std::string_view text) {
   return Vec3d{p[0], p[1], p[2]};
 }
 
-// For messages: whatever the file holds, a short line of plain characters.
-std::string shown(std::string_view text) {
-  std::string line(text.substr(0, 40));
-  for (char& c : line) {
-    if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
-  }
-  return line;
-}
-
 }  // namespace
 
 std::vector<Vec3d> read_points(const std::filesystem::path& file, const Vec3d& offset) {
@@ -97,7 +89,7 @@ std::vector<Vec3d> read_points(const std::filesystem::path& file, const Vec3d& o
         may_be_header && !point && std::isalpha(static_cast<unsigned char>(line[0]));
     may_be_header = false;
     if (is_header) continue;
-    if (!point) refuse(number, fmt::format("\"{}\" is not a point", shown(line)));
+    if (!point) refuse(number, fmt::format("\"{}\" is not a point", shown_text(line)));
     if (points.size() == max_points) refuse(number, fmt::format("more than {} points", max_points));
     points.push_back(*point + offset);
   }

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <cctype>
+#include <string>
+#include <string_view>
+
+namespace sabo {
+
+/// For messages: whatever a file holds, a short line of plain characters.
+inline std::string shown_text(std::string_view text) {
+  std::string line(text.substr(0, 40));
+  for (char& c : line) {
+    if (!std::isprint(static_cast<unsigned char>(c))) c = '?';
+  }
+  return line;
+}
+
+}  // namespace sabo
