@@ -53,7 +53,8 @@ Colour sample_colour(const DepthCanvas& canvas, int column, int row, const Scene
   double line = 0;
   if (column > 0) line = line_between(sample, canvas.at(column - 1, row), colours);
   if (row > 0) line = std::max(line, line_between(sample, canvas.at(column, row - 1), colours));
-  return mixed(surface_colour(sample, colours), line_colour, line);
+  const Colour colour = surface_colour(sample, colours);
+  return line > 0 ? mixed(colour, line_colour, line) : colour;
 }
 
 }  // namespace
