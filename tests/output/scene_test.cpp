@@ -227,7 +227,7 @@ ScenePicture valley_scene() {
 TEST(Scene, AValleyIsSeenUpwards) {
   const Raster ground = valley_dem(5);
   Raster depth(ground.grid);
-  for (int column = 20; column < 120; ++column) depth.at(column, depth.grid.rows / 2) = 2;
+  for (int column = 20; column < 60; ++column) depth.at(column, depth.grid.rows / 2) = 2;
   ScenePicture scene = valley_scene();
   const LookDirection direction = scene_direction(scene, ground, depth);
   // The valley falls from west to east: up is west, 270 degrees, give or take the turns of 60.
@@ -239,7 +239,7 @@ TEST(Scene, AValleyIsSeenUpwards) {
   const std::string text = text_of(scene_svg(scene, ground, depth, depth));
   EXPECT_THAT(text, HasSubstr(">Flow &amp; dam</text>"));
   EXPECT_THAT(text, HasSubstr(">depth [m]</text>"));
-  EXPECT_THAT(text, HasSubstr(">dam</text>"));
+  EXPECT_THAT(text, HasSubstr(">dam</text>"));  // 320 m below the flow
   EXPECT_THAT(text, HasSubstr("looking W (270°), 30° down"));
   EXPECT_THAT(text, HasSubstr("heights × 2"));
 }

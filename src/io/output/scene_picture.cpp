@@ -119,10 +119,11 @@ struct Drawing {
   const ScenePicture& scene;
   SceneMesh mesh;
   LookDirection direction;
-  CanvasView view;
-  double height = tallest;  // px
-  double contour = 10;      // m
-  double top = 48;          // px, of the picture on the page
+  CanvasView view = {};
+  std::vector<std::vector<std::vector<WallCut>>> walls = {};  // the pieces of each
+  double height = tallest;                                    // px
+  double contour = 10;                                        // m
+  double top = 48;                                            // px, of the picture on the page
 };
 
 // Length across the picture at the middle of what it shows, direction of view, contour lines.
@@ -170,8 +171,14 @@ Drawing drawing_of(const ScenePicture& scene, const SceneData& data) {
             direction_for(scene, data),
             {}};
   light_mesh(d.mesh, light_for(d.direction));
-  d.view.camera =
-      camera_around(points_to_show(d.mesh), d.direction, picture_width, tallest, d.mesh.spacing());
+  std::vector<Vec3d> points = points_to_show(d.mesh);
+  for (const SceneWall& wall : scene.walls) {
+    d.walls.push_back(wall_pieces(wall, d.mesh));
+    for (const auto& piece : d.walls.back()) {
+      for (const WallCut& cut : piece) points.insert(points.end(), {cut.left, cut.right});
+    }
+  }
+  d.view.camera = camera_around(points, d.direction, picture_width, tallest, d.mesh.spacing());
   const Rows rows = rows_shown(d.mesh, d.view.camera);
   d.view.top = rows.top;
   d.height = rows.bottom - rows.top;
@@ -196,10 +203,8 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
   DepthCanvas canvas(2 * static_cast<int>(picture_width * d.view.scale / 2),
                      2 * static_cast<int>(d.height * d.view.scale / 2));
   draw_mesh(canvas, d.mesh, d.view);
-  std::vector<std::vector<std::vector<WallCut>>> walls;
-  for (const SceneWall& wall : scene.walls) {
-    walls.push_back(wall_pieces(wall, d.mesh));
-    draw_wall(canvas, walls.back(), d.view, light_for(d.direction));
+  for (const auto& pieces : d.walls) {
+    draw_wall(canvas, pieces, d.view, light_for(d.direction));
   }
 
   const double top_value = scene.top.value_or(greatest_value(d.mesh));
@@ -210,11 +215,14 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
   svg += draw_picture(d, canvas, top_value);
   const ScenePage page{d.mesh, canvas, d.view, margin, d.top, picture_width, d.height};
   SceneLabels labels(page);
-  for (std::size_t k = 0; k < walls.size(); ++k) label_wall(page, scene.walls[k], walls[k], labels);
+  for (std::size_t k = 0; k < d.walls.size(); ++k) {
+    label_wall(page, scene.walls[k], d.walls[k], labels);
+  }
   for (const MapLine& line : scene.lines) svg += draw_draped(page, line, labels);
   svg += labels.svg();
-  if (top_value > 0)
+  if (top_value > 0) {
     svg += svg_colour_bar(margin, d.top + d.height + 34, scene.quantity, top_value);
+  }
   return svg + draw_scale(d, d.top + d.height + 40) + "</svg>\n";
 }
 

@@ -33,8 +33,8 @@ LookDirection scene_direction(const ScenePicture& scene, const Raster& elevation
                               const Raster& depth);
 
 /// The picture as an SVG file: the ground as a grey relief, lifted by the depth (m) and coloured by
-/// the values where there is flow. The camera holds the whole flow. The rasters have one grid, NaN
-/// where there is no data. Throws RunError.
+/// the values where there is flow. The camera holds the whole flow and the walls over the view. The
+/// rasters have one grid, NaN where there is no data. Throws RunError.
 std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const Raster& depth,
                       const Raster& values);
 
