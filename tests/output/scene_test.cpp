@@ -46,6 +46,7 @@ TEST(SceneMesh, ThinningKeepsTheFlowOfOneCell) {
   Raster depth(field), speed(field, 1);
   depth.at(17, 33) = 2;
   speed.at(17, 33) = 7;
+  depth.at(18, 34) = 1;  // shallower, and later in the order of the cells
   ground.at(16, 33) = 9;
   // 16 corners for 1600 cells: each stands for 10 x 10 of them.
   const SceneMesh mesh = scene_mesh({ground, depth, speed, 0.05}, whole_field, 16, 1);

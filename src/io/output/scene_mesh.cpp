@@ -37,7 +37,7 @@ std::vector<Block> blocks_of(int first, int last, int stride, double origin, dou
 struct CellRange {
   int first = 0;
   int last = 0;
-  std::size_t size() const { return static_cast<std::size_t>(last - first + 1); }
+  std::size_t size() const { return static_cast<std::size_t>(last) - first + 1; }
 };
 
 // At least one cell, the nearest one for a view outside the grid.
