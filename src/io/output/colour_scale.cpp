@@ -33,6 +33,19 @@ Colour flow_colour(double fraction) {
   return colour;
 }
 
+Colour ground_colour(double shade) {
+  const auto grey = static_cast<std::uint8_t>(std::lround(60 + 195 * shade));
+  return {grey, grey, grey};
+}
+
+Colour mixed(const Colour& a, const Colour& b, double share_of_b) {
+  Colour out{};
+  for (std::size_t c = 0; c < 3; ++c) {
+    out[c] = static_cast<std::uint8_t>(std::lround((1 - share_of_b) * a[c] + share_of_b * b[c]));
+  }
+  return out;
+}
+
 std::string hex(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }

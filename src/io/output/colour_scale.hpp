@@ -13,6 +13,13 @@ using Colour = std::array<std::uint8_t, 3>;
 /// counts as 0.
 Colour flow_colour(double fraction);
 
+/// Grey of the ground from its brightness (0: turned away from the light, 1: facing it). Flat
+/// ground is light, so that colours and lines stand out.
+Colour ground_colour(double shade);
+
+/// From `a` (share 0) to `b` (share 1).
+Colour mixed(const Colour& a, const Colour& b, double share_of_b);
+
 /// "#rrggbb"
 std::string hex(const Colour& colour);
 

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "io/output/svg.hpp"
+#include "io/output/svg_colour_bar.hpp"
 #include "io/output/ticks.hpp"
 #include "terrain/bilinear.hpp"
 
@@ -180,31 +181,6 @@ std::string draw_lines(const MapPicture& map, const Layout& layout) {
       layout.left, layout.top, layout.width, layout.height, shapes, labels);
 }
 
-// Colour bar with its values, below the map on the left.
-std::string draw_legend(const MapPicture& map, double top, const Layout& layout) {
-  constexpr double width = 300, height = 12;
-  const double x = margin;
-  const double y = layout.top + layout.height + 34;
-  std::string stops;
-  for (int i = 0; i <= 8; ++i) {
-    stops +=
-        fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>", i / 8.0, hex(flow_colour(i / 8.0)));
-  }
-  std::string svg = fmt::format(
-      "<linearGradient id=\"scale\">{}</linearGradient>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" "
-      "height=\"{}\" fill=\"url(#scale)\"/>\n",
-      stops, x, y, width, height);
-  svg += svg_text(x, y - 8, map.quantity, {.size = 13, .colour = svg_ink});
-  const Ticks ticks = ticks_over(0, top, 5);
-  for (double value : ticks.values) {
-    if (value > top * (1 + 1e-9)) continue;
-    const double place = x + width * value / top;
-    svg += svg_line(place, y + height, place, y + height + 4, svg_muted, 1);
-    svg += svg_text(place, y + height + 17, ticks.label(value), {.anchor = Anchor::middle});
-  }
-  return svg;
-}
-
 // Scale bar and north arrow, below the map on the right.
 std::string draw_scale(const Layout& layout, double contour) {
   const double length = round_down(180 / layout.scale);
@@ -261,7 +237,9 @@ std::string map_svg(const MapPicture& map, const Raster& elevation, const Raster
   if (!map.note.empty()) svg += svg_text(margin, 52, map.note, {.size = 13});
   svg += draw_raster({elevation, values, map.threshold, top, contour}, layout);
   svg += draw_lines(map, layout);
-  if (top > 0) svg += draw_legend(map, top, layout);
+  if (top > 0) {
+    svg += svg_colour_bar(margin, layout.top + layout.height + 34, map.quantity, top);
+  }
   svg += draw_scale(layout, contour);
   return svg + "</svg>\n";
 }

@@ -39,20 +39,6 @@ Raster hillshade(const Raster& elevation) {
   return shade;
 }
 
-Colour mixed(const Colour& a, const Colour& b, double share_of_b) {
-  Colour out{};
-  for (std::size_t c = 0; c < 3; ++c) {
-    out[c] = static_cast<std::uint8_t>(std::lround((1 - share_of_b) * a[c] + share_of_b * b[c]));
-  }
-  return out;
-}
-
-// Grey of the ground: flat ground is light, so that colours and lines stand out.
-Colour ground_colour(double shade) {
-  const auto grey = static_cast<std::uint8_t>(std::lround(60 + 195 * shade));
-  return {grey, grey, grey};
-}
-
 struct Pixel {
   Colour colour = no_ground;
   double band = Raster::no_data;  // number of the contour line below

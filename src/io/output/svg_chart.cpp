@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "io/output/chart_axis.hpp"
 #include "io/output/svg.hpp"
-#include "io/output/ticks.hpp"
 
 namespace sabo {
 namespace {
@@ -18,91 +18,112 @@ constexpr std::array palette{"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F0
 
 constexpr double margin_top = 78;
 constexpr double margin_bottom = 52;
+constexpr double margin_left = 16;
 constexpr double margin_right = 24;
 constexpr double label_size = 12;
+constexpr double name_size = 13;
+constexpr double legend_line = 20;  // height of a line of the legend
+
+struct SeriesStyle {
+  const char* colour;
+  bool is_dashed;
+  const char* dashes() const { return is_dashed ? " stroke-dasharray=\"8 5\"" : ""; }
+};
+
+SeriesStyle style_of(std::size_t series) {
+  return {palette[series % palette.size()], series / palette.size() % 2 == 1};
+}
 
 struct Range {
+  bool is_log = false;
   double low = std::numeric_limits<double>::infinity();
   double high = -std::numeric_limits<double>::infinity();
   void hold(double value) {
-    if (!std::isfinite(value)) return;
+    if (!std::isfinite(value) || (is_log && value <= 0)) return;
     low = std::min(low, value);
     high = std::max(high, value);
   }
   bool is_empty() const { return low > high; }
 };
 
+// An axis over the data, or over the limits where they are given.
+ChartAxis axis_over(Range range, std::optional<double> low, std::optional<double> high, int count) {
+  if (range.is_empty()) range = {range.is_log, range.is_log ? 1.0 : 0.0, range.is_log ? 10.0 : 1.0};
+  if (range.is_log && low && !(*low > 0)) low.reset();
+  if (range.is_log && high && !(*high > 0)) high.reset();
+  const double from = low.value_or(range.low), to = high.value_or(range.high);
+  return range.is_log ? log_axis(from, to, count) : linear_axis(from, to, count);
+}
+
 // The plot area and the scales that map data to it.
 struct Axes {
-  Ticks x_ticks, y_ticks;
-  double x_low = 0, x_high = 1;
+  ChartAxis x_axis, y_axis;
   double left = 0, right = 0, top = 0, bottom = 0;
+  double page_height = 0;
 
-  double x(double value) const {
-    return left + (value - x_low) / (x_high - x_low) * (right - left);
-  }
-  double y(double value) const {
-    return bottom - (value - y_ticks.first()) / (y_ticks.last() - y_ticks.first()) * (bottom - top);
-  }
+  double x(double value) const { return left + x_axis.share(value) * (right - left); }
+  double y(double value) const { return bottom - y_axis.share(value) * (bottom - top); }
 };
 
-Axes axes_of(const LineChart& chart) {
-  Range x, y;
+Axes axes_of(const LineChart& chart, double legend_height) {
+  Range x{chart.x_log}, y{chart.y_log};
   for (const ChartSeries& series : chart.series) {
     for (double value : series.x) x.hold(value);
     for (double value : series.y) y.hold(value);
   }
   for (const ChartReference& line : chart.references) y.hold(line.y);
-  if (x.is_empty()) x = {0, 1};
-  if (y.is_empty()) y = {0, 1};
-  y.hold(0);
-  Axes axes;
-  axes.y_ticks = ticks_over(chart.y_low.value_or(y.low), chart.y_high.value_or(y.high), 5);
-  axes.x_ticks = ticks_over(chart.x_low.value_or(x.low), chart.x_high.value_or(x.high), 8);
-  axes.x_low = axes.x_ticks.first();
-  axes.x_high = axes.x_ticks.last();
+  if (y.is_empty() && !y.is_log) y.hold(1);
+  y.hold(0);  // no effect on a logarithmic axis
+  Axes axes{axis_over(x, chart.x_low, chart.x_high, 8), axis_over(y, chart.y_low, chart.y_high, 5)};
   double widest = 0;
-  for (double tick : axes.y_ticks.values) {
-    widest = std::max(widest, text_width(axes.y_ticks.label(tick), label_size));
+  for (const AxisTick& tick : axes.y_axis.ticks) {
+    widest = std::max(widest, text_width(tick.label, label_size));
   }
+  axes.page_height = chart.height + legend_height;
   axes.left = std::max(44.0, widest + 24);
   axes.right = chart.width - margin_right;
-  axes.top = margin_top;
-  axes.bottom = chart.height - margin_bottom;
+  axes.top = margin_top + legend_height;
+  axes.bottom = axes.page_height - margin_bottom;
   return axes;
 }
 
 std::string draw_axes(const LineChart& chart, const Axes& axes) {
+  constexpr const char* faint = "#f1f3f5";
   std::string svg;
-  for (double tick : axes.y_ticks.values) {
-    const double y = axes.y(tick);
-    const bool is_base = std::abs(tick) < 1e-9 * axes.y_ticks.step;
-    svg += svg_line(axes.left, y, axes.right, y, is_base ? "#9aa5b1" : svg_light, 1);
-    svg += svg_text(axes.left - 8, y + 4, axes.y_ticks.label(tick),
-                    {.size = label_size, .anchor = Anchor::end});
+  for (double value : axes.y_axis.minor) {
+    svg += svg_line(axes.left, axes.y(value), axes.right, axes.y(value), faint, 1);
   }
-  for (double tick : axes.x_ticks.values) {
-    const double x = axes.x(tick);
+  for (double value : axes.x_axis.minor) {
+    svg += svg_line(axes.x(value), axes.top, axes.x(value), axes.bottom, faint, 1);
+  }
+  for (const AxisTick& tick : axes.y_axis.ticks) {
+    const double y = axes.y(tick.value);
+    const bool is_base = std::abs(tick.value) < 1e-9 * (axes.y_axis.high - axes.y_axis.low);
+    svg += svg_line(axes.left, y, axes.right, y, is_base ? "#9aa5b1" : svg_light, 1);
+    svg += svg_text(axes.left - 8, y + 4, tick.label, {.size = label_size, .anchor = Anchor::end});
+  }
+  for (const AxisTick& tick : axes.x_axis.ticks) {
+    const double x = axes.x(tick.value);
     svg += svg_line(x, axes.top, x, axes.bottom, svg_light, 1);
     svg += svg_line(x, axes.bottom, x, axes.bottom + 5, "#9aa5b1", 1);
-    svg += svg_text(x, axes.bottom + 20, axes.x_ticks.label(tick),
-                    {.size = label_size, .anchor = Anchor::middle});
+    svg +=
+        svg_text(x, axes.bottom + 20, tick.label, {.size = label_size, .anchor = Anchor::middle});
   }
-  svg += svg_text((axes.left + axes.right) / 2, chart.height - 12, chart.x_title,
+  svg += svg_text((axes.left + axes.right) / 2, axes.page_height - 12, chart.x_title,
                   {.size = 13, .anchor = Anchor::middle});
-  svg += svg_text(16, 58, chart.y_title, {.size = 13});
-  svg += svg_text(16, 30, chart.title, {.size = 17, .colour = svg_ink, .bold = true});
+  svg += svg_text(margin_left, axes.top - 20, chart.y_title, {.size = 13});
+  svg += svg_text(margin_left, 30, chart.title, {.size = 17, .colour = svg_ink, .bold = true});
   return svg;
 }
 
-std::string draw_series(const ChartSeries& series, const char* colour, const Axes& axes) {
+std::string draw_series(const ChartSeries& series, const SeriesStyle& style, const Axes& axes) {
   std::string path;
   std::string dots;
   std::string last;
   bool is_down = false;
   const std::size_t count = std::min(series.x.size(), series.y.size());
   for (std::size_t i = 0; i < count; ++i) {
-    if (!std::isfinite(series.x[i]) || !std::isfinite(series.y[i])) {
+    if (!axes.x_axis.can_show(series.x[i]) || !axes.y_axis.can_show(series.y[i])) {
       is_down = false;
       continue;
     }
@@ -118,12 +139,12 @@ std::string draw_series(const ChartSeries& series, const char* colour, const Axe
   std::string svg;
   if (series.has_line && !path.empty()) {
     svg += fmt::format(
-        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\" stroke-linejoin=\"round\" "
+        "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{} stroke-linejoin=\"round\" "
         "stroke-linecap=\"round\"/>\n",
-        path, colour);
+        path, style.colour, style.dashes());
   }
   if (series.has_markers && !dots.empty()) {
-    svg += fmt::format("<g fill=\"{}\" stroke=\"#ffffff\">{}</g>\n", colour, dots);
+    svg += fmt::format("<g fill=\"{}\" stroke=\"#ffffff\">{}</g>\n", style.colour, dots);
   }
   return svg;
 }
@@ -131,6 +152,7 @@ std::string draw_series(const ChartSeries& series, const char* colour, const Axe
 std::string draw_references(const LineChart& chart, const Axes& axes) {
   std::string svg;
   for (const ChartReference& line : chart.references) {
+    if (!axes.y_axis.can_show(line.y)) continue;
     const double y = axes.y(line.y);
     svg += fmt::format(
         "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
@@ -142,25 +164,61 @@ std::string draw_references(const LineChart& chart, const Axes& axes) {
   return svg;
 }
 
-// Names of the series, up to the right end of the line of the y title; one needs no legend.
-std::string draw_legend(const LineChart& chart, const Axes& axes) {
-  if (chart.series.size() < 2) return "";
-  constexpr double key = 22, gap = 7, between = 20, y = 53.5;
-  double x = axes.right + between;
+// Where the name of a series stands.
+struct LegendPlace {
+  double x = 0;
+  int line = 0;  // 0: the line of the y title
+};
+
+constexpr double legend_key = 22, legend_gap = 7, legend_between = 20;
+
+double legend_width(const ChartSeries& series) {
+  return legend_key + legend_gap + text_width(series.name, name_size) + legend_between;
+}
+
+// Names of the series at the right end of the line of the y title; if they do not fit beside it, on
+// lines of their own above it, from left to right. One series needs no legend.
+std::vector<LegendPlace> legend_of(const LineChart& chart) {
+  if (chart.series.size() < 2) return {};
+  const double right = chart.width - margin_right;
+  double whole = -legend_between;
+  for (const ChartSeries& series : chart.series) whole += legend_width(series);
+  const double title_end = margin_left + text_width(chart.y_title, 13) + legend_between;
+  const bool is_beside = right - whole >= title_end;
+  LegendPlace place{is_beside ? right - whole : margin_left, is_beside ? 0 : 1};
+  std::vector<LegendPlace> places;
   for (const ChartSeries& series : chart.series) {
-    x -= key + gap + text_width(series.name, 13) + between;
-  }
-  std::string svg;
-  for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    const ChartSeries& series = chart.series[k];
-    const char* colour = palette[k % palette.size()];
-    if (series.has_line) svg += svg_line(x, y, x + key, y, colour, 3);
-    if (series.has_markers) {
-      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{}\" r=\"3.5\" fill=\"{}\"/>\n",
-                         series.has_line ? x + key / 2 : x + key - 4, y, colour);
+    const double width = legend_width(series);
+    if (!is_beside && place.x > margin_left && place.x + width - legend_between > right) {
+      place = {margin_left, place.line + 1};
     }
-    svg += svg_text(x + key + gap, 58, series.name, {.size = 13, .colour = svg_ink});
-    x += key + gap + text_width(series.name, 13) + between;
+    places.push_back(place);
+    place.x += width;
+  }
+  return places;
+}
+
+std::string draw_legend(const LineChart& chart, const std::vector<LegendPlace>& places) {
+  std::string svg;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const ChartSeries& series = chart.series[k];
+    const SeriesStyle style = style_of(k);
+    const double x = places[k].x;
+    const double baseline = 58 + legend_line * std::max(places[k].line - 1, 0);
+    const double y = baseline - 4.5;
+    if (series.has_line) {
+      svg += fmt::format(
+          "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
+          "stroke-width=\"3\"{}/>\n",
+          x, y, x + legend_key, y, style.colour, style.dashes());
+    }
+    if (series.has_markers) {
+      svg +=
+          fmt::format("<circle cx=\"{:.1f}\" cy=\"{}\" r=\"3.5\" fill=\"{}\"/>\n",
+                      series.has_line ? x + legend_key / 2 : x + legend_key - 4, y, style.colour);
+    }
+    svg += svg_text(x + legend_key + legend_gap, baseline, series.name,
+                    {.size = name_size, .colour = svg_ink});
   }
   return svg;
 }
@@ -168,17 +226,18 @@ std::string draw_legend(const LineChart& chart, const Axes& axes) {
 }  // namespace
 
 std::string chart_svg(const LineChart& chart) {
-  const Axes axes = axes_of(chart);
-  std::string svg = svg_begin(chart.width, chart.height, chart.title);
+  const std::vector<LegendPlace> legend = legend_of(chart);
+  const Axes axes = axes_of(chart, legend.empty() ? 0 : legend_line * legend.back().line);
+  std::string svg = svg_begin(chart.width, axes.page_height, chart.title);
   svg += draw_axes(chart, axes);
   svg += fmt::format(
       "<clipPath id=\"plot\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>"
       "</clipPath>\n<g clip-path=\"url(#plot)\">\n",
       axes.left, axes.top - 4, axes.right - axes.left + 4, axes.bottom - axes.top + 8);
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    svg += draw_series(chart.series[k], palette[k % palette.size()], axes);
+    svg += draw_series(chart.series[k], style_of(k), axes);
   }
-  svg += "</g>\n" + draw_references(chart, axes) + draw_legend(chart, axes);
+  svg += "</g>\n" + draw_references(chart, axes) + draw_legend(chart, legend);
   return svg + "</svg>\n";
 }
 

@@ -9,7 +9,8 @@ namespace sabo {
 struct ChartSeries {
   std::string name = {};
   std::vector<double> x = {};
-  std::vector<double> y = {};  ///< a value that is not finite leaves a gap
+  std::vector<double> y = {};  ///< a value that is not finite leaves a gap, and one that is not
+                               ///< positive does on a logarithmic axis
   bool has_markers = false;    ///< a dot at each point, for measured values
   bool has_line = true;
 };
@@ -28,12 +29,15 @@ struct LineChart {
   std::vector<ChartSeries> series = {};
   std::vector<ChartReference> references = {};
   std::optional<double> x_low = {}, x_high = {};  ///< else from the data
-  std::optional<double> y_low = {}, y_high = {};  ///< else from the data and 0
+  std::optional<double> y_low = {}, y_high = {};  ///< else from the data and, if linear, 0
   int width = 720;
-  int height = 400;
+  int height = 400;    ///< grows by the lines of a legend that does not fit beside the y title
+  bool x_log = false;  ///< logarithmic axes; their limits are positive, others count as not given
+  bool y_log = false;
 };
 
-/// The chart as an SVG file. Colours: Okabe and Ito's, told apart with any colour vision.
+/// The chart as an SVG file. Colours: six of Okabe and Ito's, told apart with any colour vision;
+/// the next six series have them again with dashed lines, and so on in turn.
 std::string chart_svg(const LineChart& chart);
 
 }  // namespace sabo

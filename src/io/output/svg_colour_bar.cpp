@@ -1,0 +1,33 @@
+#include "io/output/svg_colour_bar.hpp"
+
+#include <fmt/format.h>
+
+#include "io/output/colour_scale.hpp"
+#include "io/output/svg.hpp"
+#include "io/output/ticks.hpp"
+
+namespace sabo {
+
+std::string svg_colour_bar(double x, double y, std::string_view quantity, double top) {
+  constexpr double width = 300, height = 12;
+  std::string stops;
+  for (int i = 0; i <= 8; ++i) {
+    stops +=
+        fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>", i / 8.0, hex(flow_colour(i / 8.0)));
+  }
+  std::string svg = fmt::format(
+      "<linearGradient id=\"scale\">{}</linearGradient>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" "
+      "height=\"{}\" fill=\"url(#scale)\"/>\n",
+      stops, x, y, width, height);
+  svg += svg_text(x, y - 8, quantity, {.size = 13, .colour = svg_ink});
+  const Ticks ticks = ticks_over(0, top, 5);
+  for (double value : ticks.values) {
+    if (value > top * (1 + 1e-9)) continue;
+    const double place = x + width * value / top;
+    svg += svg_line(place, y + height, place, y + height + 4, svg_muted, 1);
+    svg += svg_text(place, y + height + 17, ticks.label(value), {.anchor = Anchor::middle});
+  }
+  return svg;
+}
+
+}  // namespace sabo
