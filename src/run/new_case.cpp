@@ -77,15 +77,27 @@ Raster release_thickness(const Grid& dem) {
   return thickness;
 }
 
+std::array<double, 2> on_the_map(double x, double y) {
+  return {std::round((valley_easting + x) * 100) / 100,
+          std::round((valley_northing + y) * 100) / 100};
+}
+
+/// The valley from x to x within a distance of its axis.
+YohutagawaNumbers::Zone zone_of(const char* name, double from, double to, double half_width) {
+  const double start = valley_axis(from);
+  const double end = valley_axis(to);
+  return {name,
+          {on_the_map(from, start - half_width), on_the_map(to, end - half_width),
+           on_the_map(to, end + half_width), on_the_map(from, start + half_width)}};
+}
+
 /// Across the valley at x, from the right bank to the left one: then discharge down the valley is
 /// positive.
 YohutagawaNumbers::Section section_at(double x) {
   constexpr double half_width = 40;  // m; its ends stand more than 15 m above the bed
   const Vec3d along = normalised(Vec3d{1, valley_axis(x + 0.5) - valley_axis(x - 0.5), 0});
   const auto point = [&](double to_the_left) {
-    const double east = valley_easting + x - to_the_left * along.y;
-    const double north = valley_northing + valley_axis(x) + to_the_left * along.x;
-    return std::array{std::round(east * 100) / 100, std::round(north * 100) / 100};
+    return on_the_map(x - to_the_left * along.y, valley_axis(x) + to_the_left * along.x);
   };
   return {point(-half_width), point(half_width)};
 }
@@ -111,6 +123,9 @@ void write_yohutagawa(const fs::path& folder) {
   numbers.notch_depth = dam.notch->depth;
   numbers.above_dam = section_at(dam_x - distance);
   numbers.below_dam = section_at(dam_x + distance);
+  numbers.zones = {zone_of("behind the dam", dam_x - 60, dam_x - 2, 25),
+                   zone_of("below the dam", dam_x + 2, 700, 30), zone_of("upper fan", 700, 800, 50),
+                   zone_of("lower fan", 800, 1000, 70)};
   write_file_atomically(folder / "case.toml", yohutagawa_text(numbers));
 }
 

@@ -41,7 +41,7 @@ class Album {
   void add(const std::string& name, const std::string& svg, const std::string& caption,
            bool is_wide) {
     write_file_atomically(folder_.pictures() / name, svg);
-    pictures_.push_back({"pictures/" + name, caption, is_wide});
+    pictures_.push_back({{"pictures/" + name}, caption, is_wide});
   }
   std::vector<PagePicture> take() { return std::move(pictures_); }
 

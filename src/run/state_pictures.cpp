@@ -142,8 +142,10 @@ class StatePictures {
     picture.threshold = Columns::wet_depth;
     picture.top = tops_[k];
     picture.view = view_;
-    for (const CheckDam& dam : scene_.dams) picture.walls.push_back(wall_of(dam));
+    for (const CheckDam& dam : scene_.dams) picture.walls.push_back(scene_wall(dam));
     picture.lines = overlay(scene_);
+    std::erase_if(picture.lines,
+                  [](const MapLine& line) { return line.kind == MapLine::Kind::dam; });  // walls
     return picture;
   }
 
@@ -154,21 +156,21 @@ class StatePictures {
     MapPicture map{title, case_.note, quantity.label, k == 0 ? Columns::wet_depth : 0, tops_[k]};
     map.view = view_;
     map.lines = overlay(scene_);
-    add(quantity.name, time, "map", map_svg(map, ground_, values), title + ", from above");
+    const std::string from_above = write(quantity.name, time, "map", map_svg(map, ground_, values));
 
     ScenePicture scene = scene_picture(title, k);
     scene.azimuth = direction_.azimuth;
     scene.down = direction_.down;
-    add(quantity.name, time, "3d", scene_svg(scene, ground_, columns_.depth(), values),
-        title + ", in perspective");
+    const std::string in_perspective =
+        write(quantity.name, time, "3d", scene_svg(scene, ground_, columns_.depth(), values));
+    pictures_.push_back({{from_above, in_perspective}, title, false});
   }
 
-  void add(const char* quantity, double time, const char* kind, const std::string& svg,
-           const std::string& caption) {
+  std::string write(const char* quantity, double time, const char* kind, const std::string& svg) {
     const std::string name =
         fmt::format("pictures/state_{}_{:07.1f}s_{}.svg", quantity, time, kind);
     write_file_atomically(folder_ / name, svg);
-    pictures_.push_back({name, caption, false});
+    return name;
   }
 
   const fs::path& folder_;
@@ -206,6 +208,7 @@ fs::path draw_states(const fs::path& run_folder, const std::vector<double>& time
   page.title = (c.title.empty() ? "Debris flow" : c.title) + ": states of the flow";
   page.subtitle = "Depth, speed and pressure; one colour scale for each quantity";
   page.note = c.note;
+  page.columns = quantities.size();
   page.pictures = StatePictures(run_folder, c, scene).draw(chosen_frames(frames, times));
   const fs::path file = run_folder / "states.html";
   write_file_atomically(file, index_html(page));

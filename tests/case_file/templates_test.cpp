@@ -17,6 +17,10 @@ YohutagawaNumbers example_numbers() {
   numbers.notch_centre = 17.5;
   numbers.above_dam = {{{610, -20}, {610, 20}}};
   numbers.below_dam = {{{640, -20}, {640, 20}}};
+  for (int k = 0; k < 4; ++k) {
+    const double x = 100.0 * k;
+    numbers.zones[k] = {"zone " + std::to_string(k), {{{x, 0}, {x + 90, 0}, {x + 90, 9}, {x, 9}}}};
+  }
   return numbers;
 }
 
@@ -45,6 +49,10 @@ TEST(Templates, YohutagawaReadsBack) {
   EXPECT_EQ(c.sections[0].name, "p1");
   EXPECT_THAT(c.sections[1].line.coordinates,
               ElementsAre(ElementsAre(640, -20, 0), ElementsAre(640, 20, 0)));
+  ASSERT_EQ(c.zones.size(), 4u);
+  EXPECT_EQ(c.zones[1].polygon.coordinates[2], (std::array{190.0, 9.0, 0.0}));
+  EXPECT_EQ(c.zones[2].observed, 0.3);
+  EXPECT_FALSE(c.zones[3].observed);
   ASSERT_EQ(c.references.size(), 2u);
   EXPECT_EQ(c.references[0].trapped, 5353.0);
   EXPECT_EQ(c.numerics.spacing, 0.75);

@@ -11,6 +11,7 @@
 #include "io/output/png.hpp"
 #include "io/output/relief.hpp"
 #include "io/output/svg_chart.hpp"
+#include "terrain/bilinear.hpp"
 
 namespace sabo {
 namespace {
@@ -132,7 +133,7 @@ TEST(Map, AStripIsStillAPicture) {
 TEST(IndexPage, EscapesEveryText) {
   const std::string bad = "<b>&";
   IndexPage page{bad, bad, bad, {{bad, bad}}, {{bad, {bad}, {{bad}}}}, {}, {}};
-  page.pictures = {{"maps/<b>.svg", bad, true}};
+  page.pictures = {{{"maps/<b>.svg"}, bad, true}};
   page.files = {{"a b.csv", bad}};
   const std::string html = index_html(page);
   EXPECT_THAT(html, StartsWith("<!doctype html>"));

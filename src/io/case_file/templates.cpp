@@ -49,7 +49,7 @@ line = {above_dam}
 name = "p2"  # below the dam
 line = {below_dam}
 
-[path]
+{zones}[path]
 line = "path.gpkg"
 
 # Volumes to compare with, m3.
@@ -129,9 +129,24 @@ duration = 120  # s
 output_interval = 5  # s between frames
 )toml";
 
-std::string points_text(const YohutagawaNumbers::Section& section) {
-  const auto& [a, b] = section;
-  return fmt::format("[[{}, {}], [{}, {}]]", a[0], a[1], b[0], b[1]);
+template <std::size_t count>
+std::string points_text(const std::array<std::array<double, 2>, count>& points) {
+  std::string text;
+  for (const auto& [x, y] : points)
+    text += fmt::format("{}[{}, {}]", text.empty() ? "" : ", ", x, y);
+  return "[" + text + "]";
+}
+
+/// The zones of the deposit; the text gives a depth for the fan alone.
+std::string zones_text(const YohutagawaNumbers& n) {
+  std::string text;
+  for (const YohutagawaNumbers::Zone& zone : n.zones) {
+    text += fmt::format("[[zone]]\nname = \"{}\"\npolygon = {}\n", zone.name,
+                        points_text(zone.corners));
+    if (&zone == &n.zones[2]) text += "observed = 0.3\nsource = \"published simulation\"\n";
+    text += "\n";
+  }
+  return text;
 }
 
 }  // namespace
@@ -142,7 +157,7 @@ std::string yohutagawa_text(const YohutagawaNumbers& n) {
       fmt::arg("dam_thickness", n.dam_thickness), fmt::arg("notch_centre", n.notch_centre),
       fmt::arg("notch_width", n.notch_width), fmt::arg("notch_depth", n.notch_depth),
       fmt::arg("above_dam", points_text(n.above_dam)),
-      fmt::arg("below_dam", points_text(n.below_dam)));
+      fmt::arg("below_dam", points_text(n.below_dam)), fmt::arg("zones", zones_text(n)));
 }
 
 std::string valley_from_dem_text() { return valley_from_dem; }

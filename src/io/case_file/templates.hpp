@@ -28,6 +28,12 @@ struct YohutagawaNumbers {
   double notch_depth = 1.5;                              ///< m
   Section above_dam{};                                   ///< p1
   Section below_dam{};                                   ///< p2
+
+  struct Zone {
+    std::string name;
+    std::array<std::array<double, 2>, 4> corners{};
+  };
+  std::array<Zone, 4> zones{};  ///< down the valley; the third is the upper fan
 };
 
 /// Case file beside dem.tif, release.tif, dam.gpkg and path.gpkg.

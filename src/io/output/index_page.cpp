@@ -28,10 +28,11 @@ constexpr const char* style = R"(
   th, td { padding: 9px 16px; text-align: right; border-top: 1px solid #e4e7eb; }
   th:first-child, td:first-child, .files td { text-align: left; }
   thead th { border-top: 0; font-size: 13px; font-weight: 600; color: #52606d; }
-  .pictures { display: grid; grid-template-columns: repeat(2, minmax(0, 1fr)); gap: 16px; }
+  .pictures { display: grid; gap: 16px; }
   .wide { grid-column: 1 / -1; }
   figure { margin: 0; padding: 12px; }
   figure img { display: block; max-width: 100%; height: auto; margin: 0 auto; }
+  figure a + a img { margin-top: 12px; }
   figcaption { margin-top: 8px; padding: 0 8px; font-size: 14px; color: #52606d; }
   a { color: #0b5cad; }
   @media (max-width: 800px) { .pictures { display: block; } figure { margin-bottom: 16px; } }
@@ -69,13 +70,18 @@ std::string table_html(const PageTable& table) {
 
 std::string pictures_html(const IndexPage& page) {
   if (page.pictures.empty()) return "";
-  std::string html = "<h2>Pictures</h2>\n<div class=\"pictures\">\n";
+  std::string html = fmt::format(
+      "<h2>Pictures</h2>\n<div class=\"pictures\" "
+      "style=\"grid-template-columns: repeat({}, minmax(0, 1fr))\">\n",
+      page.columns);
   for (const PagePicture& picture : page.pictures) {
     const std::string caption = escaped(picture.caption);
-    html += fmt::format(
-        "<figure class=\"card{2}\"><a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>"
-        "<figcaption>{1}</figcaption></figure>\n",
-        url_of(picture.file), caption, picture.is_wide ? " wide" : "");
+    html += fmt::format("<figure class=\"card{}\">", picture.is_wide ? " wide" : "");
+    for (const std::string& file : picture.files) {
+      html +=
+          fmt::format("<a href=\"{0}\"><img src=\"{0}\" alt=\"{1}\"></a>", url_of(file), caption);
+    }
+    html += fmt::format("<figcaption>{}</figcaption></figure>\n", caption);
   }
   return html + "</div>\n";
 }

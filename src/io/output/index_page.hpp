@@ -13,9 +13,9 @@ struct PageTable {
   std::vector<std::vector<std::string>> rows;
 };
 
-/// A picture file, its path relative to the page.
+/// A figure of one picture or several, one below the other.
 struct PagePicture {
-  std::string file;
+  std::vector<std::string> files;  ///< relative to the page
   std::string caption;
   bool is_wide = false;  ///< takes the whole width, a map for instance
 };
@@ -33,6 +33,7 @@ struct IndexPage {
   std::vector<std::pair<std::string, std::string>> facts = {};
   std::vector<PageTable> tables = {};
   std::vector<PagePicture> pictures = {};
+  int columns = 2;  ///< of pictures on a wide screen
   std::vector<PageFile> files = {};
 };
 

@@ -104,28 +104,6 @@ std::string draw_raster(const Relief& relief, const Layout& layout) {
       layout.left, layout.top, layout.width, layout.height, data_url_of_png(png_of(image)));
 }
 
-struct LineStyle {
-  const char* colour;
-  double width;
-  const char* dashes;
-};
-
-LineStyle style_of(MapLine::Kind kind) {
-  switch (kind) {
-    case MapLine::Kind::dam:
-      return {"#c1121f", 4, ""};
-    case MapLine::Kind::section:
-      return {"#1f2933", 2, ""};
-    case MapLine::Kind::path:
-      return {"#1f2933", 1.3, " stroke-dasharray=\"7 5\""};
-    case MapLine::Kind::edit:
-      return {"#b35900", 2, " stroke-dasharray=\"6 3\""};
-    case MapLine::Kind::zone:
-      break;
-  }
-  return {"#0b5cad", 1.8, " stroke-dasharray=\"2 3\""};
-}
-
 // Middle of the rectangle around a line.
 Vec3d middle_of(const Polyline& line) {
   const auto [west, east] = std::ranges::minmax(line.vertices, {}, &Vec3d::x);

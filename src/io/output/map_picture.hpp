@@ -4,19 +4,11 @@
 #include <string>
 #include <vector>
 
+#include "io/output/map_line.hpp"
 #include "io/output/relief.hpp"
-#include "terrain/polyline.hpp"
 #include "terrain/raster.hpp"
 
 namespace sabo {
-
-/// A line drawn over a map.
-struct MapLine {
-  enum class Kind { dam, section, path, zone, edit };
-  Kind kind = Kind::path;
-  std::string label = {};  ///< "" for none
-  Polyline line = {};
-};
 
 /// A map of one quantity over the relief. All coordinates are in one frame.
 struct MapPicture {

@@ -13,25 +13,6 @@ namespace {
 constexpr double label_size = 13;
 constexpr const char* wall_label_colour = "#8c1c13";
 
-struct LineStyle {
-  double width;
-  const char* dashes;
-};
-
-LineStyle style_of(MapLine::Kind kind) {
-  switch (kind) {
-    case MapLine::Kind::dam:
-      return {3, ""};
-    case MapLine::Kind::section:
-      return {2, ""};
-    case MapLine::Kind::path:
-      return {1.3, " stroke-dasharray=\"7 5\""};
-    case MapLine::Kind::outline:
-      break;
-  }
-  return {1.6, " stroke-dasharray=\"2 3\""};
-}
-
 // Points of a line at about every mesh of the surface, NaN heights left in as gaps.
 std::vector<Vec3d> laid_on(const SceneMesh& mesh, const Polyline& line) {
   constexpr double most_parts = 4000;
@@ -104,10 +85,8 @@ std::string draw_draped(const ScenePage& page, const MapLine& line, SceneLabels&
     is_down = true;
   }
   if (seen.empty()) return "";
-  if (!line.label.empty()) {
-    labels.add(line.label, svg_ink, {seen.front(), seen.back()});
-  }
   const LineStyle style = style_of(line.kind);
+  if (!line.label.empty()) labels.add(line.label, style.colour, {seen.front(), seen.back()});
   const auto stroke = [&path](const char* colour, double width, const char* dashes) {
     return fmt::format(
         "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{} "
@@ -115,7 +94,7 @@ std::string draw_draped(const ScenePage& page, const MapLine& line, SceneLabels&
         path, colour, width, dashes);
   };
   return stroke("#ffffff", style.width + 1.4, " stroke-opacity=\"0.6\"") +
-         stroke(svg_ink, style.width, style.dashes);
+         stroke(style.colour, style.width, style.dashes);
 }
 
 void label_wall(const ScenePage& page, const SceneWall& wall,
