@@ -16,12 +16,16 @@ constexpr double ground_beside_flow = 1.5;  // ground that is made, over ground 
 
 }  // namespace
 
+double expected_boundary(const FlowModel& model, std::size_t particles) {
+  const double layers = std::ceil(model.kernel_radius() / model.spacing);
+  return static_cast<double>(particles) / late_depth * layers * ground_beside_flow;
+}
+
 double expected_memory(const FlowModel& model, std::size_t particles, std::size_t dem_cells) {
   const double radius = list_radius_over_kernel * model.kernel_radius() / model.spacing;
   const double neighbours = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
-  const double layers = std::ceil(model.kernel_radius() / model.spacing);
   const auto fluid = static_cast<double>(particles);
-  const double boundary = fluid / late_depth * layers * ground_beside_flow;
+  const double boundary = expected_boundary(model, particles);
   return bytes_of_program + bytes_per_cell * static_cast<double>(dem_cells) +
          (fluid + boundary) * bytes_per_particle + fluid * neighbours * bytes_per_neighbour;
 }

@@ -6,8 +6,12 @@
 
 namespace sabo {
 
-/// Memory that a run on the CPU takes at its peak, bytes; right to a factor of about two. The peak
-/// comes late, when the flow has thinned out: it is taken to be two particles deep by then.
+/// Boundary particles that a run of that many particles has at its peak; right to a factor of about
+/// two. The peak comes late, when the flow has thinned out: it is taken to be two particles deep by
+/// then.
+double expected_boundary(const FlowModel& model, std::size_t particles);
+
+/// Memory that a run on the CPU takes at its peak, bytes; right to a factor of about two.
 double expected_memory(const FlowModel& model, std::size_t particles, std::size_t dem_cells);
 
 }  // namespace sabo

@@ -104,15 +104,29 @@ void tell_edits(Preview& preview, const Scene& scene) {
   }
 }
 
-void tell_release(Preview& preview, const Case& c, const Scene& scene) {
+/// Slope of the ground under the release, m/m: mean over its mass.
+double release_slope(const Scene& scene) {
+  double slope = 0;
+  for (const Vec3d& x : scene.release.position) {
+    const Vec3d normal = scene.surface->normal(x.x, x.y);
+    slope += std::hypot(normal.x, normal.y) / normal.z;
+  }
+  return slope / static_cast<double>(scene.release.size());
+}
+
+void tell_release(Preview& preview, const Case& c, const Scene& scene, const FlowModel& model) {
   const double dp = c.numerics.spacing;
   const double layers = scene.release_depth / dp;
   preview.line("Release", fmt::format("{:.0f} m3, up to {:.2f} m deep, centre at ({:.1f}, {:.1f})",
                                       scene.release_volume, scene.release_depth,
                                       scene.frame.origin_x + scene.release_centre.x,
                                       scene.frame.origin_y + scene.release_centre.y));
-  preview.line("Release", fmt::format("{} particles at {:g} m: {:.1f} in the greatest depth",
-                                      scene.release.size(), dp, layers));
+  preview.line("Release", fmt::format("on a slope of {:.1f} deg in the mean",
+                                      degrees_of(release_slope(scene))));
+  preview.line("Release", fmt::format("{} particles at {:g} m: {:.1f} in the greatest depth; the "
+                                      "ground near the flow takes up to about {}",
+                                      scene.release.size(), dp, layers,
+                                      count_text(expected_boundary(model, scene.release.size()))));
   if (layers < ResolutionGuard::enough_layers) {
     preview.warn(
         fmt::format("the release is only {:.1f} particles deep; take numerics.spacing = {:.2g} m "
@@ -244,7 +258,7 @@ std::string preview_text(const Case& c, const Scene& scene) {
   if (!c.note.empty()) preview.line("Case", c.note);
   tell_terrain(preview, scene);
   tell_edits(preview, scene);
-  tell_release(preview, c, scene);
+  tell_release(preview, c, scene, model);
   for (const CheckDam& dam : scene.dams) tell_dam(preview, dam, scene, model);
   tell_lines(preview, c, scene);
   tell_numerics(preview, c, model);

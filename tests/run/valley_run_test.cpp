@@ -5,6 +5,7 @@
 
 #include "run/finished_run.hpp"
 #include "run/new_case.hpp"
+#include "run/state_pictures.hpp"
 
 // The example from its template to its run folder, coarse and short: the mass is two particles deep
 // and on its way. What the numbers must be does not depend on that.
@@ -23,7 +24,7 @@ FinishedRun run_example(const TemporaryFolder& folder, std::int64_t threads, dou
 void expect_all_files(const FinishedRun& run) {
   for (const char* file :
        {"index.html", "manifest.toml", "case.toml", "maps/dep.tif", "maps/pfd.tif", "maps/pfv.tif",
-        "maps/tarr.tif", "series/front.csv", "series/discharge.csv", "series/volumes.csv",
+        "maps/tarr.tif", "maps/ppr.tif", "maps/ground.tif", "series/zones.csv", "series/front.csv", "series/discharge.csv", "series/volumes.csv",
         "series/energy.csv", "series/solver.csv", "frames/flow.pvd", "frames/ground.vtp",
         "frames/flow_00000.vtp", "pictures/deposit.svg", "pictures/front_velocity.svg",
         "pictures/discharge.svg", "pictures/volumes.svg"})
@@ -31,6 +32,29 @@ void expect_all_files(const FinishedRun& run) {
   Faults faults;
   EXPECT_EQ(read_case(run.folder, faults).numerics.spacing, 3);
   EXPECT_TRUE(faults.empty()) << "the case of a run folder cannot be read again";
+}
+
+/// The zones lie at the dam and below it, where nothing has arrived.
+void expect_dry_zones(const FinishedRun& run) {
+  const auto zones = run.last_row("series/zones.csv");
+  for (const char* zone : {"behind the dam", "below the dam", "upper fan", "lower fan"})
+    EXPECT_EQ(zones.at(zone + std::string(" volume [m3]")), 0) << zone;
+  EXPECT_NE(run.text_of("index.html").find("0.3 (published simulation)"), std::string::npos);
+}
+
+/// Pictures of the states; frames are 5 s apart, so of 6 s there are those at 0, 5 and 6 s.
+void expect_states(const FinishedRun& run) {
+  EXPECT_EQ(draw_states(run.folder, {}), run.folder / "states.html");
+  const std::string page = run.text_of("states.html");
+  for (const char* picture : {"state_depth_00005.0s_map.svg", "state_pressure_00005.0s_3d.svg"}) {
+    EXPECT_NE(page.find(picture), std::string::npos) << picture;
+    const std::string svg = run.text_of(std::string("pictures/") + picture);
+    EXPECT_NE(svg.find("</svg>"), std::string::npos) << picture;
+    for (const char* odd : {"\"nan", " nan", ">nan"})
+      EXPECT_EQ(svg.find(odd), std::string::npos) << picture;
+  }
+  EXPECT_THROW(draw_states(run.folder, {7}), CaseError) << "beyond the run";
+  EXPECT_THROW(draw_states(run.folder / "maps", {}), CaseError) << "no run";
 }
 
 void expect_sound_volumes(const FinishedRun& run) {
@@ -55,6 +79,8 @@ TEST(ValleyRun, GoesFromTheTemplateToTheRunFolder) {
   ASSERT_EQ(run.result.end, RunEnd::finished) << run.result.reason;
   expect_all_files(run);
   expect_sound_volumes(run);
+  expect_dry_zones(run);
+  expect_states(run);
   const auto front = run.last_row("series/front.csv");
   EXPECT_EQ(front.at("time [s]"), 6);
   // Slower than sliding without friction where it is steepest: 9.81 sin(33 deg) 6^2 / 2 = 96 m.

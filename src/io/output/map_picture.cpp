@@ -18,6 +18,8 @@ constexpr double longest_side = 1100;  // px, of a wide map
 constexpr double tallest_side = 900;   // px
 constexpr double narrowest = 640;      // px, so that the legend has room
 constexpr double margin = 20;          // px
+constexpr double note_size = 13;       // px
+constexpr double note_line = 20;       // px
 constexpr double max_pixels = 1.5e6;   // of the embedded picture
 
 // Where things stand on the picture.
@@ -30,6 +32,7 @@ struct Layout {
   double height = 0;
   double page_width = 0;
   double page_height = 0;
+  std::vector<std::string> note;  // in lines
 
   double x(double east) const { return left + (east - view.west) * scale; }
   double y(double north) const { return top + (view.north - north) * scale; }
@@ -58,7 +61,8 @@ Layout layout_of(const MapPicture& map) {
   layout.height = std::round(north_south * layout.scale);
   layout.page_width = std::max(layout.width, narrowest) + 2 * margin;
   layout.left = std::round((layout.page_width - layout.width) / 2);
-  layout.top = map.note.empty() ? 48 : 68;
+  layout.note = wrapped(map.note, note_size, layout.page_width - 2 * margin);
+  layout.top = 48 + note_line * static_cast<double>(layout.note.size());
   layout.page_height = layout.top + layout.height + 76;
   return layout;
 }
@@ -212,7 +216,9 @@ std::string map_svg(const MapPicture& map, const Raster& elevation, const Raster
   const double contour = contour_step(elevation, map.view);
   std::string svg = svg_begin(layout.page_width, layout.page_height, map.title);
   svg += svg_text(margin, 30, map.title, {.size = 18, .colour = svg_ink, .bold = true});
-  if (!map.note.empty()) svg += svg_text(margin, 52, map.note, {.size = 13});
+  for (std::size_t k = 0; k < layout.note.size(); ++k)
+    svg += svg_text(margin, 52 + note_line * static_cast<double>(k), layout.note[k],
+                    {.size = note_size});
   svg += draw_raster({elevation, values, map.threshold, top, contour}, layout);
   svg += draw_lines(map, layout);
   if (top > 0) {

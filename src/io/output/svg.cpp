@@ -37,6 +37,23 @@ std::string svg_line(double x1, double y1, double x2, double y2, const char* col
       x1, y1, x2, y2, colour, width);
 }
 
+std::vector<std::string> wrapped(std::string_view text, double size, double width) {
+  std::vector<std::string> lines;
+  while (!text.empty()) {
+    const std::string_view word = text.substr(0, text.find(' '));
+    text.remove_prefix(std::min(text.size(), word.size() + 1));
+    const bool fits = !lines.empty() && text_width(lines.back(), size) + text_width(" ", size) +
+                                                text_width(word, size) <=
+                                            width;
+    if (fits) {
+      lines.back().append(" ").append(word);
+    } else {
+      lines.emplace_back(word);
+    }
+  }
+  return lines;
+}
+
 double text_width(std::string_view text, double size) {
   const auto characters = std::ranges::count_if(
       text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace sabo {
 
@@ -29,6 +30,9 @@ std::string svg_begin(double width, double height, std::string_view title);
 std::string svg_text(double x, double y, std::string_view text, const TextStyle& style = {});
 
 std::string svg_line(double x1, double y1, double x2, double y2, const char* colour, double width);
+
+/// Lines of a text that is broken at spaces to fit a width, pixels; a longer word stays whole.
+std::vector<std::string> wrapped(std::string_view text, double size, double width);
 
 /// Estimated width of a text, pixels; exact widths depend on the reader's font.
 double text_width(std::string_view text, double size);
