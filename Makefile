@@ -1,6 +1,6 @@
 # Short names for the usual commands. CMakePresets.json is underneath.
 .POSIX:
-.PHONY: help build demo test docs asan format tidy
+.PHONY: help build demo test docs study asan format tidy
 
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
@@ -11,7 +11,8 @@ help:
 	@echo 'make build    install what is missing, then build build/release/src/sabo'
 	@echo 'make demo     build, then run the example: a debris flow meets a check dam'
 	@echo 'make test     build, then run all checks and tests'
-	@echo 'make docs     rewrite docs/case-file.md from the descriptions of the keys'
+	@echo 'make docs     rewrite the keys in docs/ from their descriptions, and the figures of the laws'
+	@echo 'make study    hours: run the example in all variants, rewrite the table of docs/yohutagawa.md'
 	@echo 'make asan     the quick tests under the address and undefined-behaviour sanitizers'
 	@echo 'make format   format src/ and tests/'
 	@echo 'make tidy     static analysis of src/ by clang-tidy'
@@ -25,6 +26,7 @@ demo: build
 	@mkdir -p runs
 	test -d $(DEMO_CASE) || build/release/src/sabo new yohutagawa $(DEMO_CASE)
 	build/release/src/sabo run $(DEMO_CASE) -o $(DEMO_RUN) --overwrite --spacing 1.5 --duration 120
+	build/release/src/sabo plot $(DEMO_RUN) --times 10,30,60,120
 	@echo 'Open $(DEMO_RUN)/index.html in a browser.'
 
 test: build
@@ -36,8 +38,12 @@ test: build
 docs:
 	@sh tools/install_packages.sh
 	cmake --preset release
-	cmake --build --preset release --target test_case_file
+	cmake --build --preset release --target test_case_file sabo
 	SABO_UPDATE_DOCS=1 build/release/tests/test_case_file --gtest_filter='Documents.*'
+	build/release/src/sabo models --plot -o docs/images
+
+study: build
+	python3 tools/yohutagawa_study.py
 
 asan:
 	@sh tools/install_packages.sh

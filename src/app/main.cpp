@@ -1,7 +1,9 @@
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
+#include <system_error>
 
 #include <CLI/App.hpp>
 #include <CLI/Config.hpp>
@@ -76,6 +78,10 @@ int main(int argc, char** argv) {
     return sabo::exit_case_is_wrong;
   } catch (const std::bad_alloc&) {
     sabo::print_error("not enough memory; try a larger numerics.spacing or a smaller terrain.crop");
+  } catch (const std::filesystem::filesystem_error& error) {
+    sabo::print_error(error.what());
+  } catch (const std::system_error&) {  // of fmt::print
+    sabo::print_error("cannot write to the standard output");
   } catch (const std::exception& error) {  // RunError among them
     sabo::print_error(error.what());
   }

@@ -19,6 +19,7 @@ class RunFolder {
   std::filesystem::path pictures() const { return root_ / "pictures"; }
   std::filesystem::path manifest() const { return root_ / "manifest.toml"; }
   std::filesystem::path index() const { return root_ / "index.html"; }
+  std::filesystem::path states() const { return root_ / "states.html"; }
 
   /// Writes a manifest that says no more than how the run stands: "running", "failed".
   void set_state(const std::string& end, const std::string& reason) const;

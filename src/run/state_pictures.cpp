@@ -195,6 +195,10 @@ Scene scene_of_run(const Case& c) {
 }  // namespace
 
 fs::path draw_states(const fs::path& run_folder, const std::vector<double>& times) {
+  if (!fs::exists(run_folder / "manifest.toml")) {
+    throw CaseError(run_folder.string(), "is not the folder of a run: it has no manifest.toml",
+                    "give a folder that `sabo run` has written");
+  }
   Faults faults;
   const Case c = read_case(run_folder, faults);
   faults.throw_if_any();

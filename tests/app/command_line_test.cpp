@@ -25,7 +25,7 @@ TEST(CommandLine, WithoutACommandIsAUsageErrorThatHelps) {
 }
 
 TEST(CommandLine, HelpIsNoError) {
-  for (const char* command : {"", "new", "check", "run", "info", "models"}) {
+  for (const char* command : {"", "new", "check", "run", "plot", "info", "models"}) {
     const Outcome outcome = run_shell(std::string("sabo ") + command + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_THAT(outcome.text, HasSubstr("Usage: sabo")) << command;
@@ -66,6 +66,22 @@ TEST(CommandLine, ModelsAndDefaultsNeedNoCase) {
   EXPECT_THAT(defaults.text, HasSubstr("h_over_dp = 1.5"));
 }
 
+TEST(CommandLine, DrawsTheLawsThatAreNamed) {
+  const TemporaryFolder folder;
+  const std::string draw = "sabo models --plot -o '" + (folder / "").string() + "' ";
+  EXPECT_EQ(run_shell(draw + "--laws bingham,mu_i --pressure 1000").code, 0);
+  const std::string svg = folder.read("effective_viscosity.svg");
+  EXPECT_THAT(svg, HasSubstr(">mu_i</text>"));
+  EXPECT_THAT(svg, HasSubstr("plastic viscosity 20 Pa s, yield stress 50 Pa"));
+  EXPECT_THAT(folder.read("shear_stress.svg"), HasSubstr(">bingham</text>"));
+
+  const Outcome unknown = run_shell(draw + "--laws binham");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_EQ(unknown.text, "error: --laws: there is no law \"binham\"; did you mean \"bingham\"?\n");
+  EXPECT_EQ(run_shell("sabo models --plot -o /nowhere").code, 2);
+  EXPECT_EQ(run_shell(draw + "--viscosity 0").code, 2);
+}
+
 TEST(CommandLine, ListsAllFaultsOfACaseWithoutColours) {
   const TemporaryFolder folder;
   folder.write("case.toml", "[run]\nduration = -1\n[numerics]\nspcing = 1\n");
@@ -86,9 +102,11 @@ TEST(CommandLine, FailsWhenItsOutputCannotBeWritten) {
 
 TEST(CommandLine, RefusesAFolderThatIsNoRun) {
   const TemporaryFolder folder;
-  const Outcome outcome = run_shell("sabo info '" + (folder / "").string() + "'");
-  EXPECT_EQ(outcome.code, 2);
-  EXPECT_THAT(outcome.text, HasSubstr("is not the folder of a run"));
+  for (const char* command : {"sabo info '", "sabo plot '"}) {
+    const Outcome outcome = run_shell(command + (folder / "").string() + "'");
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_THAT(outcome.text, HasSubstr("is not the folder of a run"));
+  }
 }
 
 }  // namespace

@@ -40,6 +40,24 @@ TEST_F(RunCommand, WritesARunFolderThatInfoReads) {
   EXPECT_THAT(info.text, HasSubstr("  released             8863 m3\n"));
 }
 
+TEST_F(RunCommand, CheckDrawsAPictureAndPlotAPage) {
+  const Outcome check = in_folder("sabo check demo --spacing 4");
+  EXPECT_EQ(check.code, 0) << check.text;
+  EXPECT_THAT(check.text, HasSubstr("\nPicture: demo-check.svg\n"));
+  EXPECT_THAT(folder_.read("demo-check.svg"), HasSubstr(">upper fan</text>"));
+  EXPECT_EQ(in_folder("sabo check demo -o there.svg").code, 0);
+  EXPECT_TRUE(exists("there.svg"));
+
+  ASSERT_EQ(in_folder("sabo run demo --spacing 4 --duration 0.1").code, 0);
+  const Outcome plot = in_folder("sabo plot demo-run --times 0,0.1");
+  EXPECT_EQ(plot.code, 0) << plot.text;
+  EXPECT_EQ(plot.text, "Open demo-run/states.html\n");
+  EXPECT_TRUE(exists("demo-run/pictures/state_speed_00000.1s_3d.svg"));
+  const Outcome beyond = in_folder("sabo plot demo-run --times 5");
+  EXPECT_EQ(beyond.code, 2);
+  EXPECT_THAT(beyond.text, HasSubstr("5 s is not within the run; give times from 0 to 0.1 s"));
+}
+
 TEST_F(RunCommand, ReplacesARunOnlyWhenTold) {
   const std::string command = "sabo run demo -o out --spacing 4 --duration 0.01";
   ASSERT_EQ(in_folder(command).code, 0);

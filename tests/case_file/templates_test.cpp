@@ -83,6 +83,8 @@ TEST(Templates, ValleyWithItsDamAndSectionReadsBack) {
   for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
   EXPECT_EQ(c.structures.size(), 1u);
   EXPECT_EQ(c.sections.size(), 1u);
+  EXPECT_EQ(c.zones.size(), 1u);
+  EXPECT_EQ(c.terrain.edits.size(), 1u);
 }
 
 }  // namespace

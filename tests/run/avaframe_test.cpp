@@ -41,8 +41,8 @@ TEST(AvaFrame, KotRunsAsItIs) {
   const fs::path data = data_folder() / "terrain" / "avakot_5m";
   if (!fs::exists(data)) GTEST_SKIP() << "no data: set SABO_DATA";
   Faults faults;
-  const Case c = load_case(data, faults,
-                           {{"run", "duration", 0.1}, {"numerics", "threads", std::int64_t{1}}});
+  const Case c =
+      load_case(data, faults, {{"run", "duration", 0.1}, {"numerics", "threads", std::int64_t{1}}});
   for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
   const Scene scene = make_scene(c, faults);
   for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
@@ -60,8 +60,7 @@ TEST(AvaFrame, KotRunsAsItIs) {
   options.folder = folder / "run";
   const RunResult result = run_case(c, options);
   EXPECT_EQ(result.end, RunEnd::finished) << result.reason;
-  EXPECT_THAT(result.summary,
-              testing::Contains(HasSubstr("thinner than its particles resolve")));
+  EXPECT_THAT(result.summary, testing::Contains(HasSubstr("thinner than its particles resolve")));
 }
 
 TEST(Bhutan, ARasterWithAWrongTagIsRefusedByTheNameOfItsTag) {

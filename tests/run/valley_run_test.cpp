@@ -22,12 +22,28 @@ FinishedRun run_example(const TemporaryFolder& folder, std::int64_t threads, dou
 }
 
 void expect_all_files(const FinishedRun& run) {
-  for (const char* file :
-       {"index.html", "manifest.toml", "case.toml", "maps/dep.tif", "maps/pfd.tif", "maps/pfv.tif",
-        "maps/tarr.tif", "maps/ppr.tif", "maps/ground.tif", "series/zones.csv", "series/front.csv", "series/discharge.csv", "series/volumes.csv",
-        "series/energy.csv", "series/solver.csv", "frames/flow.pvd", "frames/ground.vtp",
-        "frames/flow_00000.vtp", "pictures/deposit.svg", "pictures/front_velocity.svg",
-        "pictures/discharge.svg", "pictures/volumes.svg"})
+  for (const char* file : {"index.html",
+                           "manifest.toml",
+                           "case.toml",
+                           "maps/dep.tif",
+                           "maps/pfd.tif",
+                           "maps/pfv.tif",
+                           "maps/tarr.tif",
+                           "maps/ppr.tif",
+                           "maps/ground.tif",
+                           "series/zones.csv",
+                           "series/front.csv",
+                           "series/discharge.csv",
+                           "series/volumes.csv",
+                           "series/energy.csv",
+                           "series/solver.csv",
+                           "frames/flow.pvd",
+                           "frames/ground.vtp",
+                           "frames/flow_00000.vtp",
+                           "pictures/deposit.svg",
+                           "pictures/front_velocity.svg",
+                           "pictures/discharge.svg",
+                           "pictures/volumes.svg"})
     EXPECT_GT(run.text_of(file).size(), 0u) << file;
   Faults faults;
   EXPECT_EQ(read_case(run.folder, faults).numerics.spacing, 3);

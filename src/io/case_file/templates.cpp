@@ -12,7 +12,9 @@ title = "Yohutagawa 2010 (generated terrain)"
 note = "Terrain generated from published numbers: a consistency check, not a validation"
 
 [terrain]
-dem = "dem.tif"  # generated; with the DEM of the site, change this and the other files
+# Generated. With the DEM of the site (e.g. the .zip of 5 m tiles that the Geospatial Information
+# Authority of Japan gives out), change this and the other files.
+dem = "dem.tif"
 
 [release]
 thickness_raster = "release.tif"
@@ -82,16 +84,19 @@ constexpr const char* valley_from_dem =
 title = "My valley"
 
 [terrain]
-# Elevation, in any raster format of GDAL. Its CRS must be projected, in metres. Cells of 1 to 5 m
+# Elevation, in any raster format of GDAL, or tiles of the Japanese base map (FG-GML: an .xml file, a
+# folder or a .zip). A DEM in degrees needs crs = "EPSG:..." to be brought to metres. Cells of 1 to 5 m
 # show a channel well.
 dem = "dem.tif"
 
 [release]
-# What starts to move: a polygon in any vector format, and its volume in m3 (or thickness = m).
+# What starts to move: a polygon in any vector format, and its volume in m3 (or thickness = m). Or
+# the surfaces before and after an event: dem_before = "...", dem_after = "...".
 polygon = "release.gpkg"
 volume = 5000
 
 [material]
+# Documented materials to start from: preset = "...", listed by sabo models.
 # Mixture of stones, soil and water: 1500 to 2000 kg/m3.
 density = 1800
 # "cross" behaves as a Bingham fluid and needs no cap; other laws: sabo models
@@ -112,10 +117,24 @@ pore_pressure_ratio = 0.5
 #height = 8       # m above the lowest ground along the line, or crest = elevation
 #thickness = 3    # m along the flow
 
+# A change of the DEM, here a basin 2 m deep; other kinds: set, raise, smooth.
+#[[terrain.edit]]
+#name = "basin"
+#kind = "lower"
+#by = 2  # m
+#polygon = [[500080, 4100190], [500100, 4100190], [500100, 4100210], [500080, 4100210]]
+
 # A line across the channel through which discharge is measured.
 #[[section]]
 #name = "bridge"
 #line = [[500300, 4100180], [500330, 4100190]]
+
+# An area in which the depth is measured, with an observed mean depth if there is one.
+#[[zone]]
+#name = "field"
+#polygon = [[500400, 4100180], [500450, 4100180], [500450, 4100220], [500400, 4100220]]
+#observed = 0.8  # m
+#source = "survey"
 
 [numerics]
 # Distance of particles in m: the flow should be at least four of them deep. Start coarse; half the

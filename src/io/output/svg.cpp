@@ -42,9 +42,9 @@ std::vector<std::string> wrapped(std::string_view text, double size, double widt
   while (!text.empty()) {
     const std::string_view word = text.substr(0, text.find(' '));
     text.remove_prefix(std::min(text.size(), word.size() + 1));
-    const bool fits = !lines.empty() && text_width(lines.back(), size) + text_width(" ", size) +
-                                                text_width(word, size) <=
-                                            width;
+    const bool fits =
+        !lines.empty() &&
+        text_width(lines.back(), size) + text_width(" ", size) + text_width(word, size) <= width;
     if (fits) {
       lines.back().append(" ").append(word);
     } else {
