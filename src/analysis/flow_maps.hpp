@@ -19,9 +19,6 @@ class FlowMaps {
   /// that the fastest particle passes between two calls.
   void update(double time, const Particles& particles);
 
-  /// State at the last update.
-  const Columns& columns() const { return columns_; }
-
   // All maps are NaN outside the domain.
   Raster peak_depth() const;     ///< greatest depth so far, m
   Raster peak_speed() const;     ///< greatest mass-weighted mean speed while wet, m/s

@@ -4,6 +4,7 @@
 
 #include "app/case_option.hpp"
 #include "app/commands.hpp"
+#include "base/error.hpp"
 #include "io/case_file/write_case.hpp"
 #include "io/output/file.hpp"
 #include "run/load_case.hpp"
@@ -21,6 +22,21 @@ struct CheckOptions {
   std::vector<Override> overrides;
 };
 
+/// Without a name of its own the picture is an extra: a folder that cannot be written is no fault
+/// of the case.
+void draw_preview(const CheckOptions& options, const std::string& svg) {
+  const bool is_named = !options.picture.empty();
+  const std::string file =
+      is_named ? options.picture : name_of_case(options.case_path) + "-check.svg";
+  try {
+    write_file_atomically(file, svg);
+    fmt::print("\nPicture: {}\n", file);
+  } catch (const RunError& error) {
+    if (is_named) throw;
+    fmt::print("\nNo picture: {}\n", error.what());
+  }
+}
+
 int check_case(const CheckOptions& options) {
   if (options.case_path.empty()) {
     fmt::print("{}", defaults_text());
@@ -36,10 +52,7 @@ int check_case(const CheckOptions& options) {
   const Scene scene = make_scene(c, faults);
   faults.throw_if_any();
   fmt::print("{}", preview_text(c, scene));
-  const std::string picture =
-      options.picture.empty() ? c.folder.filename().string() + "-check.svg" : options.picture;
-  write_file_atomically(picture, preview_svg(c, scene));
-  fmt::print("\nPicture: {}\n", picture);
+  draw_preview(options, preview_svg(c, scene));
   return exit_done;
 }
 

@@ -52,7 +52,7 @@ int run(const RunCommandOptions& options) {
 
   RunOptions run_options;
   run_options.folder =
-      options.folder.empty() ? c.folder.filename().string() + "-run" : options.folder;
+      options.folder.empty() ? name_of_case(options.case_path) + "-run" : options.folder;
   run_options.overwrite = options.overwrite;
   run_options.stop = &stop;
   ProgressDisplay display(!c.structures.empty());

@@ -46,7 +46,10 @@ void MaterialCase::take_preset() {
   yield = chosen->yield;
 }
 
-void MaterialCase::take_concentration() {
+void MaterialCase::take_viscosity() {
+  const MaterialPreset* chosen = find_preset(preset.name);
+  if (const auto known = chosen ? viscosity_of(chosen->law) : std::nullopt)
+    set_viscosity(law, *known);
   if (concentration) set_viscosity(law, viscosity_of_concentration(*concentration));
 }
 

@@ -26,26 +26,28 @@ struct MaterialCase {
     v(Key{"preset", "",
           "start from a documented material (`sabo models` lists them); keys given beside it "
           "replace "
-          "its values"},
+          "its values, and another rheology keeps its viscosity"},
       preset);
     if constexpr (SetsMembers<V>) take_preset();
     v(Key{"density", "kg/m3", "bulk density of the mixture"}.at_least(1).at_most(3e4), density);
     v(Key{"concentration", "%",
-          "of solids by volume: sets viscosity = 0.621 exp(0.173 concentration); see "
-          "docs/rheology/README.md for its doubtful unit"}
+          "of solids by volume: sets viscosity = 0.621 exp(0.173 concentration); the unit of the "
+          "formula is in doubt, see docs/rheology/README.md"}
           .at_least(0)
           .at_most(65),
       concentration);
     // A visitor that reads sets the law here, so that what follows are the keys of that law.
     v(Key{"rheology", "", "law of flow; `sabo models` lists them with their keys"}, law);
-    if constexpr (SetsMembers<V>) take_concentration();
+    if constexpr (SetsMembers<V>) take_viscosity();
     std::visit([&](auto& chosen) { chosen.describe(v); }, law);
     if (has_yield(law)) yield.describe(v);
   }
 
  private:
-  void take_preset();         ///< replaces density, law and yield by those of the preset, if any
-  void take_concentration();  ///< replaces the viscosity of the law, if a concentration is given
+  /// Replaces density, law and yield by those of the preset, if there is one.
+  void take_preset();
+  /// Replaces the viscosity of the law by that of the concentration, else of the preset, if any.
+  void take_viscosity();
 };
 
 /// Sets the key `viscosity` of a law; false if it has none.

@@ -16,7 +16,8 @@ const std::vector<MaterialPreset>& material_presets() {
       {"mud_glenwood_4", "muddy debris flow, stiff: Glenwood 4 at 40 % of solids",
        "O'Brien & Julien, J. Hydraul. Eng. 114 (1988) 877-887: tau_B = 0.172e-3 exp(29.5 C) Pa, "
        "mu_B = 0.0602e-3 exp(33.1 C) Pa s, C = 0.40",
-       "Fine matrix only, measured at low shear rates; 5 % more solids give 5 times the stress and "
+       "Fine matrix only, measured at low shear rates; 5 percentage points more of solids give 4 "
+       "to 5 times the stress and "
        "viscosity. Coefficients as quoted in manuals; check them in the original",
        1660, Bingham{{33.9, 1000}}, MohrCoulomb{22.9, 0, 0}},
       {"mud_aspen_pit_1", "mudflow, strong and fluid: Aspen Pit 1 at 35 % of solids",

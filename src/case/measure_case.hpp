@@ -36,7 +36,10 @@ struct ZoneCase {
     v(Key{"name", "", "used in the outputs"}, name);
     v(Key{"polygon", "", "area whose depth is measured: a vector file or coordinates"}.required(),
       polygon);
-    v(Key{"observed", "m", "mean depth to compare with"}.at_least(0).at_most(1e4), observed);
+    v(Key{"observed", "m", "mean depth to compare with that over the wet cells"}
+          .at_least(0)
+          .at_most(1e4),
+      observed);
     v(Key{"source", "", "where the observed depth is from, e.g. a survey"}, source);
   }
 };

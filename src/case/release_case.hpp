@@ -37,11 +37,10 @@ struct ReleaseCase {
     v(Key{"point_volume", "m3", "volume each point stands for"}.above(0).at_most(1e9),
       point_volume);
     v(Key{"dem_before", "m",
-          "surface before the event: what it is above dem_after is released, and the ground under "
-          "the release is lowered to dem_after"},
+          "surface before the event; what lies between it and dem_after is released, and the "
+          "ground there is lowered to dem_after; both in the CRS of the DEM"},
       dem_before);
-    v(Key{"dem_after", "m", "surface after the event, in the CRS of the DEM as dem_before"},
-      dem_after);
+    v(Key{"dem_after", "m", "surface after the event"}, dem_after);
     v(Key{"least_thickness", "m", "smaller differences of dem_before and dem_after are noise"}
           .at_least(0)
           .at_most(1e4),

@@ -33,7 +33,8 @@ struct TerrainEditCase {
     v(Key{"polygon", "", "where the DEM is changed: a vector file or coordinates"}.required(),
       polygon);
     v(Key{"kind", "",
-          "set: to an elevation; lower, raise: by a height; smooth: to the mean within a radius"}
+          "set: to an elevation; lower, raise: by a height; smooth: to the mean within a radius; "
+          "cells without data stay so"}
           .required(),
       kind);
     v(Key{"elevation", "m", "that `set` gives the ground"}.at_least(-1e4).at_most(1e4), elevation);
@@ -76,7 +77,7 @@ struct TerrainCase {
           .at_least(0)
           .at_most(1e9),
       fill_holes);
-    v.tables("edit", "changes of the DEM, made in this order", edits);
+    v.tables("edit", "changes of the DEM, made in the order of the file", edits);
   }
 };
 

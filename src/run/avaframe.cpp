@@ -1,6 +1,7 @@
 #include "run/avaframe.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <system_error>
 #include <vector>
 
@@ -9,7 +10,10 @@
 
 #include "base/error.hpp"
 #include "io/case_file/toml_string.hpp"
+#include "io/gis/crs.hpp"
+#include "io/gis/raster_file.hpp"
 #include "io/gis/read_vectors.hpp"
+#include "run/load_case.hpp"
 
 namespace sabo {
 namespace {
@@ -21,7 +25,9 @@ std::vector<fs::path> files_in(const fs::path& folder, const std::vector<std::st
   std::vector<fs::path> found;
   std::error_code error;
   for (const auto& entry : fs::directory_iterator(folder, error)) {
-    const std::string extension = entry.path().extension().string();
+    std::string extension = entry.path().extension().string();
+    std::ranges::transform(extension, extension.begin(),
+                           [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
     if (std::ranges::find(extensions, extension) != extensions.end()) found.push_back(entry.path());
   }
   std::ranges::sort(found);
@@ -40,10 +46,12 @@ std::string terrain_text(const fs::path& folder, const fs::path& release) {
                     fmt::format("has REL/ as an AvaFrame project, and {} rasters", dems.size()),
                     "leave the DEM as its only .asc or .tif file, or write a case.toml");
   }
-  const std::string crs = crs_of_vectors(release, "release.polygon");
-  return fmt::format("[terrain]\ndem = {}\n{}\n\n", quoted(dems.front(), folder),
-                     crs.empty() ? "assume_metres = true"
-                                 : fmt::format("crs = {}  # of the release", toml_string(crs)));
+  const bool has_crs = !is_unknown(RasterFile(dems.front(), "terrain.dem").crs());
+  const std::string code = has_crs ? "" : code_of_vectors(release, "release.polygon");
+  const std::string crs = has_crs        ? ""
+                          : code.empty() ? "assume_metres = true\n"
+                                         : fmt::format("crs = \"{}\"  # of the release\n", code);
+  return fmt::format("[terrain]\ndem = {}\n{}\n", quoted(dems.front(), folder), crs);
 }
 
 std::string dam_text(const fs::path& folder) {
@@ -83,11 +91,11 @@ std::optional<MadeCase> avaframe_case(const fs::path& given) {
   const std::vector<fs::path> releases = files_in(folder / "REL", {".shp"});
   if (releases.empty()) return {};
 
-  const std::string name = fs::absolute(given, error).lexically_normal().filename().string();
+  const std::string name = name_of_case(given);
   std::string text = fmt::format(
       "# Made from the AvaFrame project {}.\ntitle = {}\n"
       "note = {}\n\n",
-      name.empty() ? "here" : name, toml_string(name),
+      name, toml_string(name),
       toml_string("Input of AvaFrame; material, spacing and dam thickness are assumed" +
                   left_out(folder, releases)));
   text += terrain_text(folder, releases.front());

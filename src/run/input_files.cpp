@@ -9,6 +9,18 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A file and those beside it that hold its attributes and its coordinate system.
+std::vector<fs::path> with_companions(const fs::path& file) {
+  std::error_code error;
+  std::vector<fs::path> files{file};
+  for (const char* extension : {".dbf", ".prj"}) {
+    fs::path companion = file;
+    companion.replace_extension(extension);
+    if (companion != file && fs::is_regular_file(companion, error)) files.push_back(companion);
+  }
+  return files;
+}
+
 /// Visitor of a case that collects the files its keys hold.
 class FileCollector {
  public:
@@ -32,10 +44,11 @@ class FileCollector {
   void add(const fs::path& path) {
     std::error_code error;
     std::vector<fs::path> found;
-    if (fs::is_regular_file(path, error)) found.push_back(path);
+    if (fs::is_regular_file(path, error)) found = with_companions(path);
     if (fs::is_directory(path, error)) {
-      for (const auto& entry : fs::directory_iterator(path, error))
-        if (entry.is_regular_file(error)) found.push_back(entry.path());
+      fs::recursive_directory_iterator entry(path, error);
+      for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
+        if (entry->is_regular_file(error)) found.push_back(entry->path());
       std::sort(found.begin(), found.end());
     }
     for (fs::path& file : found)

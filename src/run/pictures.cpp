@@ -121,11 +121,11 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
   write("pfd.tif", maps.peak_depth, "greatest vertical depth", "m");
   write("pfv.tif", maps.peak_speed, "greatest mass-weighted mean speed of the column", "m/s");
   write("ppr.tif", in_kilopascal(maps.peak_pressure),
-        "greatest pressure of a particle in the column, where the flow is 0.05 m deep or more",
+        "greatest pressure of a particle in the column, where the flow is deeper than 0.05 m",
         "kPa");
   write("ground.tif", scene.surface->elevation(), "elevation of the ground as the run used it",
         "m");
-  write("tarr.tif", maps.arrival, "first time with a depth of 0.05 m or more", "s");
+  write("tarr.tif", maps.arrival, "first time with a depth above 0.05 m", "s");
 }
 
 std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<SeriesRow>& rows,

@@ -98,8 +98,8 @@ void tell_edits(Preview& preview, const Scene& scene) {
                              report.name, report.cells, report.cut, report.fill, report.greatest));
   }
   if (scene.lost) {
-    preview.line("Edits", fmt::format("the ground under the release is {:.0f} m3 lower: that of "
-                                      "dem_after",
+    preview.line("Edits", fmt::format("the ground under the release is lowered to dem_after: "
+                                      "{:.0f} m3",
                                       scene.lost->dug));
   }
 }

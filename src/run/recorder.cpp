@@ -71,6 +71,8 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
   for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
   for (const NamedZone& zone : scene.zones)
     zones_.emplace_back(scene.surface->elevation(), zone.polygons);
+  if (!zones_.empty())
+    zone_columns_.emplace(scene.surface->elevation(), c.numerics.spacing, c.material.density);
   tracks_.advance(scene.release);
   maps_.update(0, scene.release);
 }
@@ -132,10 +134,10 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
 
 void Recorder::write_zones(const Particles& fluid, SeriesRow& row) {
   std::vector<double> values{row.time};
-  if (!zones_.empty()) maps_.update(row.time, fluid);
+  if (zone_columns_) zone_columns_->update(fluid);
   for (const Zone& zone : zones_) {
     const ZoneDepth depth =
-        zone.measure([this](std::size_t cell) { return maps_.columns().depth(cell); });
+        zone.measure([this](std::size_t cell) { return zone_columns_->depth(cell); });
     values.insert(values.end(), {depth.mean_wet, depth.mean_all, depth.greatest, depth.volume});
     row.zones.push_back(depth);
   }

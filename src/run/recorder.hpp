@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "analysis/energy.hpp"
@@ -57,6 +58,7 @@ class Recorder {
   Tracks tracks_;
   std::vector<Section> sections_;
   std::vector<Zone> zones_;
+  std::optional<Columns> zone_columns_;  // their own, so that zones do not add samples to the maps
   std::vector<VolumeLedger> ledgers_;
   Front front_;
   FlowMaps maps_;

@@ -53,7 +53,7 @@ void read_zones(const Case& c, Scene& scene, Faults& faults) {
     collected(faults, [&] {
       std::vector<Polygon> polygons = read_area(c.zones[k].polygon, key, scene.frame);
       if (Zone(scene.surface->elevation(), polygons).is_empty()) {
-        throw CaseError(key, "holds no centre of a cell of the DEM",
+        throw CaseError(key, "holds no centre of a cell with data",
                         "check its coordinates, or give a larger polygon");
       }
       scene.zones.push_back({c.zones[k].name, std::move(polygons)});

@@ -54,7 +54,7 @@ void make_edits(const TerrainCase& c, Raster& ground, Scene& scene, Faults& faul
       TerrainEdit edit = edit_of(c.edits[k], key, scene.frame);
       const EditReport report = apply(edit, ground);
       if (report.cells == 0) {
-        throw CaseError(key + ".polygon", "holds no centre of a cell of the DEM",
+        throw CaseError(key + ".polygon", "holds no centre of a cell with data",
                         "check its coordinates, or give a larger polygon");
       }
       scene.edits.push_back({report, std::move(edit.polygons)});

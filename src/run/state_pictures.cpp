@@ -41,7 +41,7 @@ const ParticleArray& array_of(const ParticleFrame& frame, const char* name, std:
                               const fs::path& file) {
   const ParticleArray* array = frame.find(name);
   if (!array || array->values.size() != components * frame.points.size()) {
-    throw CaseError(file.string(), fmt::format("has no array \"{}\"", name),
+    throw CaseError(file.string(), fmt::format("has no sound array \"{}\"", name),
                     "run the case again with this version of sabo");
   }
   return *array;
@@ -111,7 +111,7 @@ class StatePictures {
     direction_ = scene_direction(scene_picture("", 0), ground_, greatest_depth_);
     for (const PvdEntry& frame : frames) {
       take(frame);
-      for (std::size_t k = 0; k < quantities.size(); ++k) draw_quantity(frame.time, k);
+      for (std::size_t k = 0; k < quantities.size(); ++k) draw_quantity(frame, k);
     }
     return std::move(pictures_);
   }
@@ -149,26 +149,29 @@ class StatePictures {
     return picture;
   }
 
-  void draw_quantity(double time, std::size_t k) {
+  void draw_quantity(const PvdEntry& frame, std::size_t k) {
     const Quantity& quantity = quantities[k];
-    const std::string title = fmt::format("{} at {:.1f} s", quantity.title, time);
+    const std::string title = fmt::format("{} at {:.4g} s", quantity.title, frame.time);
     const Raster values = values_of(k);
     MapPicture map{title, case_.note, quantity.label, k == 0 ? Columns::wet_depth : 0, tops_[k]};
     map.view = view_;
     map.lines = overlay(scene_);
-    const std::string from_above = write(quantity.name, time, "map", map_svg(map, ground_, values));
+    const std::string from_above =
+        write(quantity.name, frame, "map", map_svg(map, ground_, values));
 
     ScenePicture scene = scene_picture(title, k);
     scene.azimuth = direction_.azimuth;
     scene.down = direction_.down;
     const std::string in_perspective =
-        write(quantity.name, time, "3d", scene_svg(scene, ground_, columns_.depth(), values));
+        write(quantity.name, frame, "3d", scene_svg(scene, ground_, columns_.depth(), values));
     pictures_.push_back({{from_above, in_perspective}, title, false});
   }
 
-  std::string write(const char* quantity, double time, const char* kind, const std::string& svg) {
-    const std::string name =
-        fmt::format("pictures/state_{}_{:07.1f}s_{}.svg", quantity, time, kind);
+  std::string write(const char* quantity, const PvdEntry& frame, const char* kind,
+                    const std::string& svg) {
+    // By the number of the frame: times may be as close as one likes.
+    const std::string number = fs::path(frame.file).stem().string();
+    const std::string name = fmt::format("pictures/state_{}_{}_{}.svg", quantity, number, kind);
     write_file_atomically(folder_ / name, svg);
     return name;
   }
@@ -184,6 +187,15 @@ class StatePictures {
   LookDirection direction_;
   std::vector<PagePicture> pictures_;
 };
+
+/// Those of an earlier call, which may have had other times.
+void remove_pictures(const fs::path& run_folder) {
+  std::error_code error;
+  std::vector<fs::path> old;
+  for (const auto& entry : fs::directory_iterator(run_folder / "pictures", error))
+    if (entry.path().filename().string().starts_with("state_")) old.push_back(entry.path());
+  for (const fs::path& file : old) fs::remove(file, error);
+}
 
 Scene scene_of_run(const Case& c) {
   Faults faults;
@@ -208,6 +220,7 @@ fs::path draw_states(const fs::path& run_folder, const std::vector<double>& time
   }
   const Scene scene = scene_of_run(c);
 
+  remove_pictures(run_folder);
   IndexPage page;
   page.title = (c.title.empty() ? "Debris flow" : c.title) + ": states of the flow";
   page.subtitle = "Depth, speed and pressure; one colour scale for each quantity";

@@ -18,8 +18,10 @@ double bilinear(const Raster& raster, double x, double y, double missing) {
   };
   const double s = u - column;
   const double t = v - row;
-  return (1 - t) * ((1 - s) * at(column, row) + s * at(column + 1, row)) +
-         t * ((1 - s) * at(column, row + 1) + s * at(column + 1, row + 1));
+  // A corner without weight does not count, whatever it is: 0 x NaN would be NaN.
+  const auto part = [&](double weight, int c, int r) { return weight > 0 ? weight * at(c, r) : 0; };
+  return part((1 - t) * (1 - s), column, row) + part((1 - t) * s, column + 1, row) +
+         part(t * (1 - s), column, row + 1) + part(t * s, column + 1, row + 1);
 }
 
 }  // namespace sabo

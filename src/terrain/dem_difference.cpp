@@ -23,6 +23,7 @@ Raster lost_thickness(const DemPair& pair, const Raster& ground, const std::vect
                       double least) {
   Raster thickness(ground.grid, Raster::no_data);
   const auto compare = [&](std::size_t cell, double x, double y) {
+    if (std::isnan(ground.values[cell])) return;
     const double lost =
         bilinear(pair.before, x, y, Raster::no_data) - bilinear(pair.after, x, y, Raster::no_data);
     if (lost > least) thickness.values[cell] = lost;  // false for NaN

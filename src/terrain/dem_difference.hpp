@@ -15,7 +15,7 @@ struct DemPair {
 
 /// Thickness of what left, m, on the cells of `ground`: before - after, both taken bilinearly at
 /// the cell's centre, where it is above `least` and, if there are polygons, inside one of them.
-/// No data elsewhere, and where either surface has none.
+/// No data elsewhere, and where the ground or either surface has none.
 Raster lost_thickness(const DemPair& pair, const Raster& ground, const std::vector<Polygon>& within,
                       double least);
 

@@ -31,7 +31,14 @@ void refuse_unless_inside(const Surface& surface, double x, double y, const Fram
   text.precision(2);
   text << "the release lies outside the DEM at (" << x + frame.origin_x << ", "
        << y + frame.origin_y << ")";
-  throw CaseError("release", text.str(), "check its coordinates and the extent of the DEM");
+  const Grid& grid = surface.elevation().grid;
+  std::ostringstream remedy;
+  remedy.setf(std::ios::fixed);
+  remedy.precision(0);
+  remedy << "give coordinates where the DEM has data, within x " << grid.west + frame.origin_x
+         << " to " << grid.east() + frame.origin_x << " and y " << grid.south() + frame.origin_y
+         << " to " << grid.north + frame.origin_y;
+  throw CaseError("release", text.str(), remedy.str());
 }
 
 /// Lattice numbers k whose sites (k + 1/2) spacing lie in [low, high).

@@ -33,12 +33,17 @@ double mean_around(const Grid& grid, const std::vector<RowSums>& rows, std::size
                    double radius) {
   const int column = static_cast<int>(cell % grid.columns);
   const int row = static_cast<int>(cell / grid.columns);
-  const int reach = static_cast<int>(radius / grid.dy);
+  constexpr double rounding = 1e-9;  // cells: a neighbour at the radius itself counts
+  const auto cells = [](double distance, int count) {
+    return static_cast<int>(std::min(distance + rounding, static_cast<double>(count)));
+  };
+  const int reach = cells(radius / grid.dy, grid.rows);
   double height = 0;
   int count = 0;
   for (int r = std::max(0, row - reach); r <= std::min(grid.rows - 1, row + reach); ++r) {
     const double away = (r - row) * grid.dy;
-    const int half = static_cast<int>(std::sqrt(radius * radius - away * away) / grid.dx);
+    const double chord2 = std::max(0.0, radius * radius - away * away);
+    const int half = cells(std::sqrt(chord2) / grid.dx, grid.columns);
     const int first = std::max(0, column - half);
     const int end = std::min(grid.columns, column + half + 1);
     height += rows[r].height[end] - rows[r].height[first];

@@ -52,7 +52,7 @@ TEST_F(RunCommand, CheckDrawsAPictureAndPlotAPage) {
   const Outcome plot = in_folder("sabo plot demo-run --times 0,0.1");
   EXPECT_EQ(plot.code, 0) << plot.text;
   EXPECT_EQ(plot.text, "Open demo-run/states.html\n");
-  EXPECT_TRUE(exists("demo-run/pictures/state_speed_00000.1s_3d.svg"));
+  EXPECT_TRUE(exists("demo-run/pictures/state_speed_flow_00001_3d.svg"));
   const Outcome beyond = in_folder("sabo plot demo-run --times 5");
   EXPECT_EQ(beyond.code, 2);
   EXPECT_THAT(beyond.text, HasSubstr("5 s is not within the run; give times from 0 to 0.1 s"));

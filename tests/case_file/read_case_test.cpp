@@ -129,9 +129,10 @@ viscosity = 50
 
   const Case other = read_without_faults(smallest_case + R"([material]
 preset = "mud_glenwood_4"
-rheology = "newtonian"
+rheology = "papanastasiou"
 )");
-  EXPECT_EQ(std::get<Newtonian>(other.material.law).mu, Newtonian{}.mu);
+  EXPECT_EQ(std::get<Papanastasiou>(other.material.law).mu_b, 33.9) << "a viscosity is kept";
+  EXPECT_EQ(other.material.yield.cohesion, 22.9);
 }
 
 TEST(ReadCase, EveryPresetReads) {

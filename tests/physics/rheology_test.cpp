@@ -133,6 +133,7 @@ RC_GTEST_PROP(Rheology, NoLawBreaksAtRest, ()) {
           const double mu = l.viscosity(Shear{0, yield_stress, pressure});
           RC_ASSERT(std::isfinite(mu));
           RC_ASSERT(mu > 0);
+          RC_ASSERT(mu <= l.max_viscosity());
         },
         law);
   }

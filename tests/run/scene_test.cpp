@@ -163,16 +163,16 @@ polygon = [[40, 40], [50, 40], [50, 50], [40, 50]]
 
 TEST(InputFiles, AreAllThatACaseNames) {
   FlatCase flat_case;
-  std::filesystem::create_directory(flat_case.folder / "tiles");
-  flat_case.folder.write("tiles/b.xml", "");
-  flat_case.folder.write("tiles/a.xml", "");
-  flat_case.folder.write("line.gpkg", "");
-  const Case c = flat_case.read(
-      "release.dem_before = \"tiles\"\nrelease.dem_after = \"dem.tif\"\n"
-      "[[zone]]\npolygon = \"line.gpkg\"\n[[section]]\nline = \"line.gpkg\"\n");
+  std::filesystem::create_directories(flat_case.folder / "tiles" / "more");
+  for (const char* file : {"tiles/b.xml", "tiles/more/a.xml", "area 1.shp", "area 1.dbf"})
+    flat_case.folder.write(file, "");
+  Case c = flat_case.read(
+      "release.polygon = \"area 1.shp\"\nrelease.volume = 1\n"
+      "[[zone]]\npolygon = \"area 1.shp\"\n");
+  c.terrain.dem = flat_case.folder / "tiles";
   std::vector<std::string> names;
   for (const auto& file : input_files(c)) names.push_back(file.filename().string());
-  EXPECT_THAT(names, ElementsAre("dem.tif", "a.xml", "b.xml", "line.gpkg"));
+  EXPECT_THAT(names, ElementsAre("b.xml", "a.xml", "area 1.shp", "area 1.dbf"));
 }
 
 }  // namespace

@@ -62,10 +62,12 @@ void expect_dry_zones(const FinishedRun& run) {
 void expect_states(const FinishedRun& run) {
   EXPECT_EQ(draw_states(run.folder, {}), run.folder / "states.html");
   const std::string page = run.text_of("states.html");
-  for (const char* picture : {"state_depth_00005.0s_map.svg", "state_pressure_00005.0s_3d.svg"}) {
+  for (const char* picture :
+       {"state_depth_flow_00001_map.svg", "state_pressure_flow_00001_3d.svg"}) {
     EXPECT_NE(page.find(picture), std::string::npos) << picture;
     const std::string svg = run.text_of(std::string("pictures/") + picture);
     EXPECT_NE(svg.find("</svg>"), std::string::npos) << picture;
+    EXPECT_NE(svg.find(" at 5 s</text>"), std::string::npos) << picture;
     for (const char* odd : {"\"nan", " nan", ">nan"})
       EXPECT_EQ(svg.find(odd), std::string::npos) << picture;
   }

@@ -77,6 +77,7 @@ TEST(Release, RefusesWhatIsOutsideTheDemAndNamesThePlace) {
     FAIL();
   } catch (const CaseError& error) {
     EXPECT_THAT(error.what(), HasSubstr("outside the DEM at (600018.50, 4000020.50)"));
+    EXPECT_THAT(error.what(), HasSubstr("within x 6"));
   }
   EXPECT_THROW(released(surface, {{3, 3, 3}, {3, 30, 3}}, 1, {1, 1000, {}}), CaseError);
 }

@@ -67,6 +67,20 @@ TEST(TerrainEdit, SmoothingLeavesAPlaneAsItIsAwayFromTheEdge) {
   for (int column = 3; column < 7; ++column) EXPECT_NEAR(ground.at(column, 5), column + 0.5, 1e-12);
 }
 
+// 17 x 0.1 is a rounding above 1.7, and 0.3/0.1 one below 3.
+TEST(TerrainEdit, SmoothingTakesTheCellsAtTheRadiusWhateverTheRounding) {
+  Raster ground(Grid{61, 61, 0, 6.1, 0.1, 0.1}, 5);
+  ground.at(30, 30) = 5 + 29;
+  // A circle of radius 3 cells holds 29 of them.
+  apply({"smooth", {square(0, 6.1)}, SmoothElevation{0.3}}, ground);
+  EXPECT_NEAR(ground.at(30, 27), 6, 1e-12);
+  EXPECT_NEAR(ground.at(30, 26), 5, 1e-12);
+  for (const double radius : {1.7, 3.4, 7.3}) {
+    const EditReport report = apply({"smooth", {square(0, 6.1)}, SmoothElevation{radius}}, ground);
+    EXPECT_TRUE(std::isfinite(report.fill)) << radius;
+  }
+}
+
 TEST(TerrainEdit, LeavesCellsWithoutDataAlone) {
   Raster ground = ramp();
   ground.at(3, 5) = Raster::no_data;
@@ -99,6 +113,19 @@ TEST(DemDifference, IsWhatWasLostAboveTheNoise) {
   const Raster within = lost_thickness(bowl(), ground, {square(4, 5)}, 0);
   EXPECT_DOUBLE_EQ(within.at(4, 5), 2);
   EXPECT_TRUE(std::isnan(within.at(5, 5)));
+}
+
+TEST(DemDifference, AHoleCostsOnlyItsOwnCell) {
+  const Raster ground(Grid{10, 10, 0, 10, 1, 1}, 5);
+  DemPair pair{Raster(ground.grid, 5), Raster(ground.grid, 3)};
+  pair.after.at(4, 5) = Raster::no_data;
+  const Raster lost = lost_thickness(pair, ground, {}, 0);
+  int missing = 0;
+  for (const double thickness : lost.values) missing += std::isnan(thickness);
+  EXPECT_EQ(missing, 1);
+  Raster holed = ground;
+  holed.at(0, 0) = Raster::no_data;
+  EXPECT_TRUE(std::isnan(lost_thickness(pair, holed, {}, 0).at(0, 0))) << "no ground, no release";
 }
 
 TEST(DemDifference, GroundIsLoweredOnlyWhereSomethingWasLost) {

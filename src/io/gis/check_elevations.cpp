@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "io/gis/crs.hpp"
 
 namespace sabo {
 namespace {
@@ -13,6 +14,21 @@ namespace {
 constexpr double highest_elevation = 12000;  // m; deeper or higher there is no ground
 
 }  // namespace
+
+void check_elevation_unit(const RasterFile& file) {
+  const OGRSpatialReference& crs = file.crs();
+  const char* vertical = nullptr;
+  if (crs.IsCompound() && std::abs(crs.GetTargetLinearUnits("VERT_CS", &vertical) - 1) > 1e-9) {
+    file.refuse(fmt::format("has elevations in units of {}: {}", vertical, name_of(crs)),
+                "convert the elevations to metres");
+  }
+  const std::string unit = file.unit();
+  for (const char* metre : {"", "m", "metre", "metres", "meter", "meters", "unknown"}) {
+    if (unit == metre) return;
+  }
+  file.refuse(fmt::format("has elevations in \"{}\", not metres", unit),
+              "convert them, or correct the unit of the band");
+}
 
 void check_elevations(const std::string& key, const std::string& name, const Raster& raster) {
   std::size_t valid = 0;
@@ -26,7 +42,7 @@ void check_elevations(const std::string& key, const std::string& name, const Ras
   }
   if (valid == 0) {
     throw CaseError(key, name + " has no data in any cell",
-                    "choose another raster or another terrain.crop");
+                    "choose another raster, or another window of it");
   }
   if (absurd > 0) {
     throw CaseError(

@@ -51,7 +51,7 @@ std::string code_of(const OGRSpatialReference& crs) {
   }
   OSRFreeSRSArray(matches);
   CPLFree(confidence);
-  return code.empty() ? wkt_of(crs) : code;
+  return code;
 }
 
 std::string name_of(const OGRSpatialReference& crs) {

@@ -19,7 +19,7 @@ OGRSpatialReference horizontal(const OGRSpatialReference& crs);
 /// WKT 2 on one line; "" for an empty one.
 std::string wkt_of(const OGRSpatialReference& crs);
 
-/// A text that names it: "EPSG:31287" where PROJ's database knows it as one, else its WKT.
+/// Its code in PROJ's database, "EPSG:31287"; "" where that does not know it.
 std::string code_of(const OGRSpatialReference& crs);
 
 /// For messages, e.g. "EPSG:5266 (DRUKREF 03 / Bhutan National Grid)".

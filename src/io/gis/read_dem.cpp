@@ -49,21 +49,6 @@ void check_crs(const RasterFile& file, bool assume_metres) {
   }
 }
 
-void check_unit(const RasterFile& file) {
-  const OGRSpatialReference& crs = file.crs();
-  const char* vertical = nullptr;
-  if (crs.IsCompound() && !is_metre(crs.GetTargetLinearUnits("VERT_CS", &vertical))) {
-    file.refuse(fmt::format("has elevations in units of {}: {}", vertical, name_of(crs)),
-                "convert the elevations to metres");
-  }
-  const std::string unit = file.unit();
-  for (const char* metre : {"", "m", "metre", "metres", "meter", "meters", "unknown"}) {
-    if (unit == metre) return;
-  }
-  file.refuse(fmt::format("has elevations in \"{}\", not metres", unit),
-              "convert them, or correct the unit of the band");
-}
-
 CellWindow whole(const Grid& grid) { return {0, 0, grid.columns, grid.rows}; }
 
 // Brings the source to a coordinate system and a cell size; reads what that needs.
@@ -123,7 +108,7 @@ Dem from_raster(const DemRequest& request) {
   }
   const bool has_target = !request.crs.empty();
   if (!has_target) check_crs(file, request.assume_metres);
-  check_unit(file);
+  check_elevation_unit(file);
   const bool is_known = !is_unknown(file.crs());
   const OGRSpatialReference own = is_known ? file.crs() : OGRSpatialReference();
   const OGRSpatialReference target = has_target ? target_crs(request.crs) : own;

@@ -59,6 +59,7 @@ Raster read_thickness(const std::filesystem::path& file, const RasterPlace& plac
 Raster read_elevation(const std::filesystem::path& file, const RasterPlace& place) {
   const RasterFile source(file, place.key);
   check_crs(source, place);
+  check_elevation_unit(source);
   Raster raster = source.read();
   check_elevations(place.key, source.name(), raster);
   return raster;

@@ -196,7 +196,7 @@ std::vector<Polyline> read_lines(const std::filesystem::path& file, const std::s
   return lines;
 }
 
-std::string crs_of_vectors(const std::filesystem::path& file, const std::string& key) {
+std::string code_of_vectors(const std::filesystem::path& file, const std::string& key) {
   const OGRSpatialReference crs = VectorFile(file, key).crs();
   return crs.IsEmpty() ? "" : code_of(crs);
 }

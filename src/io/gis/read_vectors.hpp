@@ -32,8 +32,8 @@ std::vector<ValuedPolygon> read_valued_polygons(const std::filesystem::path& fil
 std::vector<Polygon> read_polygons(const std::filesystem::path& file, const std::string& dem_crs,
                                    const std::string& key);
 
-/// Coordinate system of a vector file as a text that names it ("EPSG:31287" where it is one, else
-/// WKT); "" without one. Throws CaseError at `key`.
-std::string crs_of_vectors(const std::filesystem::path& file, const std::string& key);
+/// Code of the coordinate system of a vector file, "EPSG:31287"; "" without one, and for one that
+/// PROJ's database does not know. Throws CaseError at `key`.
+std::string code_of_vectors(const std::filesystem::path& file, const std::string& key);
 
 }  // namespace sabo

@@ -54,7 +54,7 @@ struct MuI {
     const double fast_share =
         inertia > 0 ? inertia / (inertia + i_0 * sqrt(at.pressure / grain_density)) : 0;
     const double stress = at.yield_stress + increase * at.pressure * fast_share + eta * at.rate;
-    return stress < cap * at.rate ? stress / at.rate : (stress > 0 ? cap : eta);
+    return stress < cap * at.rate ? stress / at.rate : (stress > 0 || eta > cap ? cap : eta);
   }
   SABO_HD double max_viscosity() const { return cap; }
 };
