@@ -151,7 +151,7 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                                  percent(facts.raster_volume, facts.particle_volume))}};
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
   page.tables = result_tables(c, scene, rows);
-  page.tables.push_back(parameter_table(c));
+  page.details = {parameter_table(c)};
   page.pictures = std::move(pictures);
   page.files = {{"case.toml", "the case with every default"},
                 {"manifest.toml", "version, times, volumes, checksums of the inputs"},

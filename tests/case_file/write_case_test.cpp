@@ -7,6 +7,7 @@
 
 #include "case/material_presets.hpp"
 #include "io/case_file/models.hpp"
+#include "physics/viscosity_of_concentration.hpp"
 
 namespace sabo {
 namespace {
@@ -77,6 +78,35 @@ TerrainEditCase terrain_edit(const std::string& name) {
   return edit;
 }
 
+/// Each way to give a release.
+ReleaseCase arbitrary_release(const std::filesystem::path& folder) {
+  ReleaseCase release;
+  switch (*rc::gen::inRange(0, 5)) {
+    case 0:
+      release.polygon = line(3, chance());
+      (chance() ? release.thickness : release.volume) = number(0.1, 10);
+      release.normal = chance();
+      break;
+    case 1:
+      release.polygon = {folder / "release.gpkg", {}, false};
+      release.thickness_attribute = "d " + text();
+      break;
+    case 2:
+      release.thickness_raster = folder / "release.tif";
+      break;
+    case 3:
+      release.points = folder / "points.txt";
+      release.points_offset = {number(-9, 9), number(-9, 9), number(-9, 9)};
+      release.point_volume = number(0.1, 9);
+      break;
+    default:
+      release.dem_before = folder / "dem.tif";
+      release.dem_after = folder / "release.tif";
+      release.least_thickness = number(0, 2);
+  }
+  return release;
+}
+
 Case arbitrary_case() {
   Case c;
   c.folder = folder_with_files();
@@ -85,12 +115,16 @@ Case arbitrary_case() {
   c.terrain.dem = c.folder / "dem.tif";
   c.terrain.assume_metres = chance();
   if (chance()) c.terrain.crop = {{number(-9, 0), number(-9, 0), number(1, 9), number(1, 9)}};
-  c.release.polygon = line(3, chance());
-  (chance() ? c.release.thickness : c.release.volume) = number(0.1, 10);
-  c.release.normal = chance();
+  if (chance()) c.terrain.crs = "EPSG:32652";
+  if (chance()) c.terrain.cell_size = number(0.1, 10);
+  c.release = arbitrary_release(c.folder);
   c.material.law = *rc::gen::elementOf(all_rheologies());
   std::visit([](auto& law) { law.describe(Randomise{}); }, c.material.law);
   if (has_yield(c.material.law)) c.material.yield.describe(Randomise{});
+  if (chance() && viscosity_of(c.material.law)) {
+    c.material.concentration = number(1, 60);
+    set_viscosity(c.material.law, viscosity_of_concentration(*c.material.concentration));
+  }
   for (int i = 0; i < *rc::gen::inRange(0, 3); ++i) {
     c.structures.push_back(structure("dam " + std::to_string(i)));
     c.sections.push_back({text() + std::to_string(i), line(2, false)});
@@ -124,8 +158,25 @@ RC_GTEST_PROP(WriteCase, ReadingItBackGivesTheSameCase, ()) {
   RC_ASSERT(back.release.polygon.coordinates == c.release.polygon.coordinates);
   RC_ASSERT(back.structures.size() == c.structures.size());
   RC_ASSERT(back.terrain.crop == c.terrain.crop);
+  RC_ASSERT(back.terrain.crs == c.terrain.crs);
+  RC_ASSERT(back.terrain.cell_size == c.terrain.cell_size);
+  RC_ASSERT(back.material.concentration == c.material.concentration);
+  RC_ASSERT(viscosity_of(back.material.law) == viscosity_of(c.material.law));
+  RC_ASSERT(back.release.thickness_attribute == c.release.thickness_attribute);
+  RC_ASSERT(back.release.dem_before == c.release.dem_before);
+  RC_ASSERT(back.release.least_thickness == c.release.least_thickness);
   RC_ASSERT(back.terrain.edits.size() == c.terrain.edits.size());
+  for (std::size_t k = 0; k < c.terrain.edits.size(); ++k) {
+    RC_ASSERT(back.terrain.edits[k].kind == c.terrain.edits[k].kind);
+    RC_ASSERT(back.terrain.edits[k].by == c.terrain.edits[k].by);
+    RC_ASSERT(back.terrain.edits[k].radius == c.terrain.edits[k].radius);
+    RC_ASSERT(back.terrain.edits[k].elevation == c.terrain.edits[k].elevation);
+  }
   RC_ASSERT(back.zones.size() == c.zones.size());
+  for (std::size_t k = 0; k < c.zones.size(); ++k) {
+    RC_ASSERT(back.zones[k].observed == c.zones[k].observed);
+    RC_ASSERT(back.zones[k].source == c.zones[k].source);
+  }
 }
 
 TEST(WriteCase, KeysHaveTheirHelpAndRange) {

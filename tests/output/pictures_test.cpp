@@ -135,12 +135,14 @@ TEST(IndexPage, EscapesEveryText) {
   IndexPage page{bad, bad, bad, {{bad, bad}}, {{bad, {bad}, {{bad}}}}, {}, {}};
   page.pictures = {{{"maps/<b>.svg"}, bad, true}};
   page.files = {{"a b.csv", bad}};
+  page.details = {{"details " + bad, {bad}, {{bad}}}};
   const std::string html = index_html(page);
   EXPECT_THAT(html, StartsWith("<!doctype html>"));
   EXPECT_THAT(html, Not(HasSubstr("<b>")));
   EXPECT_THAT(html, HasSubstr("<title>&lt;b&gt;&amp;</title>"));
   EXPECT_THAT(html, HasSubstr("src=\"maps/%3Cb%3E.svg\""));
   EXPECT_THAT(html, HasSubstr("href=\"a%20b.csv\""));
+  EXPECT_LT(html.find("<h2>Pictures"), html.find("<h2>details ")) << "details stand below";
 }
 
 }  // namespace

@@ -112,7 +112,9 @@ std::string index_html(const IndexPage& page) {
   if (!page.note.empty()) html += fmt::format("<p class=\"note\">{}</p>\n", escaped(page.note));
   html += facts_html(page);
   for (const PageTable& table : page.tables) html += table_html(table);
-  html += pictures_html(page) + files_html(page);
+  html += pictures_html(page);
+  for (const PageTable& table : page.details) html += table_html(table);
+  html += files_html(page);
   return html + "</main>\n</body>\n</html>\n";
 }
 

@@ -33,7 +33,8 @@ struct IndexPage {
   std::vector<std::pair<std::string, std::string>> facts = {};
   std::vector<PageTable> tables = {};
   std::vector<PagePicture> pictures = {};
-  int columns = 2;  ///< of pictures on a wide screen
+  int columns = 2;                      ///< of pictures on a wide screen
+  std::vector<PageTable> details = {};  ///< below the pictures
   std::vector<PageFile> files = {};
 };
 
