@@ -108,29 +108,39 @@ std::string draw_raster(const Relief& relief, const Layout& layout) {
       layout.left, layout.top, layout.width, layout.height, data_url_of_png(png_of(image)));
 }
 
-// Middle of the rectangle around a line.
-Vec3d middle_of(const Polyline& line) {
-  const auto [west, east] = std::ranges::minmax(line.vertices, {}, &Vec3d::x);
-  const auto [south, north] = std::ranges::minmax(line.vertices, {}, &Vec3d::y);
-  return {(west.x + east.x) / 2, (south.y + north.y) / 2, 0};
+// Where the label of a line stands: beside the northern end for sections and the southern end for
+// the rest, so that a dam and the sections on either side of it keep apart; of areas inside their
+// northern edge, where it hides little.
+Vec3d label_place(const MapLine& line, const Layout& layout) {
+  const auto& vertices = line.line.vertices;
+  const auto [south, north] = std::ranges::minmax_element(vertices, {}, &Vec3d::y);
+  switch (line.kind) {
+    case MapLine::Kind::zone:
+    case MapLine::Kind::edit: {
+      const auto [west, east] = std::ranges::minmax(vertices, {}, &Vec3d::x);
+      return {layout.x((west.x + east.x) / 2), layout.y(north->y) + 20, 0};
+    }
+    case MapLine::Kind::section:
+      return {layout.x(north->x), layout.y(north->y) - 7, 0};
+    case MapLine::Kind::dam:
+    case MapLine::Kind::path:
+      break;
+  }
+  return {layout.x(south->x), layout.y(south->y) + 18, 0};
 }
 
-// Beside the northern end for sections and the southern end for the rest, so that a dam and the
-// sections on either side of it keep apart. Areas have theirs in the middle.
 std::string draw_label(const MapLine& line, const Layout& layout) {
   if (line.label.empty()) return "";
-  const bool is_above = line.kind == MapLine::Kind::section;
-  const auto by_y = [](const Vec3d& a, const Vec3d& b) { return a.y < b.y; };
-  const auto [south, north] = std::ranges::minmax_element(line.line.vertices, by_y);
-  const bool is_area = line.kind == MapLine::Kind::zone || line.kind == MapLine::Kind::edit;
-  const Vec3d end = is_area ? middle_of(line.line) : is_above ? *north : *south;
-  const double x = std::clamp(layout.x(end.x), layout.left + 4, layout.left + layout.width - 4);
-  const double y = std::clamp(layout.y(end.y) + (is_area    ? 4
-                                                 : is_above ? -7
-                                                            : 18),
-                              layout.top + 14, layout.top + layout.height - 6);
+  constexpr double size = 13;
+  const auto kept = [](double place, double low, double high) {
+    return std::clamp(place, low, std::max(low, high));
+  };
+  const double half = text_width(line.label, size) / 2 + 4;
+  const Vec3d place = label_place(line, layout);
+  const double x = kept(place.x, layout.left + half, layout.left + layout.width - half);
+  const double y = kept(place.y, layout.top + 14, layout.top + layout.height - 6);
   return svg_text(x, y, line.label,
-                  {.size = 13,
+                  {.size = size,
                    .colour = style_of(line.kind).colour,
                    .anchor = Anchor::middle,
                    .bold = true,
