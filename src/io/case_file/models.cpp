@@ -52,7 +52,7 @@ std::string laws_table(const std::string& folder) {
 std::string presets_markdown() {
   std::string text;
   for (const MaterialPreset& preset : material_presets()) {
-    text += fmt::format("{}**`{}`** · {}.\n`{}`\n*Source:* {}.\n*Caution:* {}.\n",
+    text += fmt::format("{}**`{}`** · {}.\n\n- Values: `{}`\n- Source: {}.\n- Caution: {}.\n",
                         text.empty() ? "" : "\n", preset.name, preset.summary, values_of(preset),
                         preset.source, preset.caution);
   }
