@@ -24,9 +24,8 @@ struct MaterialCase {
   template <class V>
   void describe(V&& v) {
     v(Key{"preset", "",
-          "start from a documented material (`sabo models` lists them); keys given beside it "
-          "replace "
-          "its values, and another rheology keeps its viscosity"},
+          "start from a documented material (`sabo models` lists them); keys beside it replace its "
+          "values, and another rheology keeps its viscosity"},
       preset);
     if constexpr (SetsMembers<V>) take_preset();
     v(Key{"density", "kg/m3", "bulk density of the mixture"}.at_least(1).at_most(3e4), density);

@@ -28,8 +28,7 @@ const std::vector<MaterialPreset>& material_presets() {
       {"water_clay", "water and clay in a laboratory dam break",
        "Komatina & Jovanovic, J. Hydraul. Res. 35 (1997) 579-590; values as used by Shao & Lo, "
        "Adv. Water Resour. 26 (2003) 787-800",
-       "Laboratory fluid for the comparison of codes, not a debris flow. Values not checked "
-       "against "
+       "Laboratory fluid for the comparison of codes, no debris flow. Values not checked against "
        "the original",
        1200, Cross{0.07, 1000, 1}, MohrCoulomb{25, 0, 0}},
       {"carbopol_030", "Carbopol Ultrez 10 at 0.30 %, a clear viscoplastic gel",
