@@ -164,11 +164,12 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                 {"series/front.csv", "position, displacement and velocity of the front"},
                 {"series/discharge.csv", "discharge through the sections"},
                 {"series/volumes.csv", "released, trapped, beyond, outflow"},
-                {"series/zones.csv", "depth and volume in the zones"},
                 {"series/energy.csv", "mass and energies"},
                 {"series/solver.csv", "time step, speeds, density range, particle counts"},
                 {"frames/flow.pvd", "particles as a time series for ParaView"},
                 {"frames/ground.vtp", "the ground for ParaView"}};
+  if (!c.zones.empty())
+    page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
   return page;
 }
 
