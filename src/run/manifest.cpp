@@ -168,8 +168,7 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                 {"series/solver.csv", "time step, speeds, density range, particle counts"},
                 {"frames/flow.pvd", "particles as a time series for ParaView"},
                 {"frames/ground.vtp", "the ground for ParaView"}};
-  if (!c.zones.empty())
-    page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
+  if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
   return page;
 }
 
