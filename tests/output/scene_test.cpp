@@ -1,5 +1,4 @@
 #include <cmath>
-#include <regex>
 
 #include "support/fault_of.hpp"
 #include <gmock/gmock.h>
@@ -252,7 +251,8 @@ void expect_picture(const Raster& ground, double depth, const MapView& view) {
   Raster flow(ground.grid, depth);
   flow.values.front() = HUGE_VAL;
   const std::string text = text_of(scene_svg(scene, ground, flow, flow));
-  EXPECT_FALSE(std::regex_search(text, std::regex("[^a-z](nan|inf)[^a-z]")));
+  for (const char* odd : {"\"nan", " nan", ">nan", "Mnan", "Lnan", "\"inf", " inf", ">inf"})
+    EXPECT_EQ(text.find(odd), std::string::npos) << odd;
   EXPECT_THAT(text, HasSubstr("</svg>"));
 }
 
