@@ -15,7 +15,7 @@ namespace sabo {
 /// whatever the grid.
 class Columns {
  public:
-  /// Depth from which a cell counts as wet, m: speed and pressure mean nothing where the edge of a
+  /// Depth above which a cell counts as wet, m: speed and pressure mean nothing where the edge of a
   /// footprint leaves a film.
   static constexpr double wet_depth = 0.05;
 

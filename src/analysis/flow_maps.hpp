@@ -9,7 +9,7 @@ namespace sabo {
 /// Maps of a run on the grid of the DEM.
 class FlowMaps {
  public:
-  /// From here on a cell counts as wet, m: for arrival, speed and pressure.
+  /// Above this a cell counts as wet, m: for arrival, speed and pressure.
   static constexpr double wet_depth = Columns::wet_depth;
 
   /// Cells where `elevation` is NaN are outside the domain. `spacing` in m, density in kg/m3.

@@ -9,13 +9,12 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <ogr_spatialref.h>
 
 #include "base/error.hpp"
 #include "base/faults.hpp"
 #include "io/case_file/templates.hpp"
 #include "io/gis/crs.hpp"
-#include "io/gis/gdal_errors.hpp"
+#include "io/gis/target_crs.hpp"
 #include "io/gis/write_raster.hpp"
 #include "io/gis/write_vectors.hpp"
 #include "io/output/file.hpp"
@@ -35,16 +34,6 @@ constexpr double cell_size = 1;                // m
 constexpr const char* origin_note =
     "Generated from the published numbers of the 2010 debris flow at Yohutagawa; not the real "
     "terrain and not at its real place";
-
-std::string valley_crs() {
-  const GdalErrors errors;
-  OGRSpatialReference crs;
-  if (crs.importFromEPSG(valley_epsg) != OGRERR_NONE) {
-    throw RunError(fmt::format("PROJ does not know EPSG:{}: {}", valley_epsg,
-                               errors.failure("its database may be missing")));
-  }
-  return wkt_of(crs);
-}
 
 Raster on_the_map(Raster raster) {
   raster.grid.west += valley_easting;
@@ -103,7 +92,7 @@ YohutagawaNumbers::Section section_at(double x) {
 }
 
 void write_yohutagawa(const fs::path& folder) {
-  const std::string crs = valley_crs();
+  const std::string crs = wkt_of(crs_of_code(valley_epsg));
   const std::map<std::string, std::string> note{{"NOTE", origin_note}};
   const Raster dem = valley_dem(cell_size);
   write_raster(folder / "dem.tif", on_the_map(dem), {crs, "elevation", "m", note});

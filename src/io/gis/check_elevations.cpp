@@ -18,7 +18,7 @@ constexpr double highest_elevation = 12000;  // m; deeper or higher there is no 
 void check_elevation_unit(const RasterFile& file) {
   const OGRSpatialReference& crs = file.crs();
   const char* vertical = nullptr;
-  if (crs.IsCompound() && std::abs(crs.GetTargetLinearUnits("VERT_CS", &vertical) - 1) > 1e-9) {
+  if (crs.IsCompound() && !is_metre(crs.GetTargetLinearUnits("VERT_CS", &vertical))) {
     file.refuse(fmt::format("has elevations in units of {}: {}", vertical, name_of(crs)),
                 "convert the elevations to metres");
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <string>
 
 #include <ogr_spatialref.h>
@@ -24,6 +25,9 @@ std::string code_of(const OGRSpatialReference& crs);
 
 /// For messages, e.g. "EPSG:5266 (DRUKREF 03 / Bhutan National Grid)".
 std::string name_of(const OGRSpatialReference& crs);
+
+/// Whether a unit, in metres, is the metre.
+inline bool is_metre(double unit) { return std::abs(unit - 1) < 1e-9; }
 
 /// Whether the two place a point alike; vertical parts are not compared.
 bool same_place(const OGRSpatialReference& a, const OGRSpatialReference& b);

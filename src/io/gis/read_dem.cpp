@@ -28,8 +28,6 @@ struct Source {
   std::function<Raster(const CellWindow&)> read;
 };
 
-bool is_metre(double unit) { return std::abs(unit - 1) < 1e-9; }
-
 void check_crs(const RasterFile& file, bool assume_metres) {
   const OGRSpatialReference& crs = file.crs();
   if (is_unknown(crs)) {

@@ -1,7 +1,5 @@
 #include "io/gis/target_crs.hpp"
 
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "base/error.hpp"
@@ -17,8 +15,6 @@ namespace {
                   "give a projected coordinate system in metres, e.g. \"EPSG:6691\" "
                   "(JGD2011 / UTM zone 54N)");
 }
-
-bool is_metre(double unit) { return std::abs(unit - 1) < 1e-9; }
 
 }  // namespace
 
