@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "backend/model.hpp"
+#include "backend/pass_times.hpp"
 #include "particles/particles.hpp"
 #include "physics/time_step.hpp"
 
@@ -73,8 +74,12 @@ class Backend {
   /// Rates of density of the last evaluation; fluid first, then boundary, kg/m3/s.
   virtual const std::vector<double>& density_rates() const = 0;
 
+  /// Time that each pass has taken; others, as the solver, may clock theirs here as well.
+  PassTimes& pass_times() { return pass_times_; }
+
  protected:
   FlowModel model_;
+  mutable PassTimes pass_times_;  // sums that change nothing are clocked as well
 };
 
 }  // namespace sabo

@@ -47,6 +47,7 @@ void HostBackend::find_neighbours() {
 }
 
 void HostBackend::pressure() {
+  const PassClock clock(pass_times_, "pressure");
   const Tait state = model_.state;
   for (Particles* particles : {&fluid_, &boundary_}) {
     const Index count = static_cast<Index>(particles->size());
@@ -80,6 +81,7 @@ void HostBackend::stress_of(const Law& law, Particles& particles, std::size_t of
 }
 
 void HostBackend::stress() {
+  const PassClock clock(pass_times_, "stress");
   const bool nested = model_.viscous_operator == ViscousOperator::nested;
   const bool wall = nested && model_.boundary_stress != BoundaryStress::none;
   std::visit(
@@ -91,6 +93,7 @@ void HostBackend::stress() {
 }
 
 void HostBackend::extrapolate_to_boundary() {
+  const PassClock clock(pass_times_, "start of the boundary");
   const auto kernel = model_.kernel<double>();
   const Index walls = static_cast<Index>(boundary_.size());
 #pragma omp parallel num_threads(threads_)
@@ -114,6 +117,7 @@ void HostBackend::extrapolate_to_boundary() {
 }
 
 FlowExtremes HostBackend::extremes() const {
+  const PassClock clock(pass_times_, "checks and sums");
   double speed2 = 0;
   double acceleration2 = 0;
   double viscosity = 0;
@@ -132,6 +136,7 @@ FlowExtremes HostBackend::extremes() const {
 }
 
 FlowHealth HostBackend::health() const {
+  const PassClock clock(pass_times_, "checks and sums");
   double lowest = model_.state.rho0;
   double highest = model_.state.rho0;
   bool is_finite = true;
@@ -149,6 +154,7 @@ FlowHealth HostBackend::health() const {
 }
 
 double HostBackend::dissipation() const {
+  const PassClock clock(pass_times_, "checks and sums");
   // What the forces between particles take from the motion, less what pressure takes: viscosity
   // within the flow and at the walls, whatever the operator.
   return blocked_sum(fluid_.size(), threads_, [&](std::size_t i) {
@@ -158,6 +164,7 @@ double HostBackend::dissipation() const {
 }
 
 void HostBackend::predict(double dt) {
+  const PassClock clock(pass_times_, "integration");
   start_position_ = fluid_.position;
   start_velocity_ = fluid_.velocity;
   start_density_ = fluid_.density;
@@ -178,6 +185,7 @@ void HostBackend::predict(double dt) {
 }
 
 void HostBackend::correct(double dt) {
+  const PassClock clock(pass_times_, "integration");
   const double rho0 = model_.state.rho0;
   // rho(n+1) = rho(n) (2 + k) / (2 - k), k = dt (drho/dt) / rho at the middle: the implicit
   // midpoint of d(ln rho)/dt, which keeps rho positive (Parshikov et al. 2000).

@@ -43,7 +43,10 @@ void Stepper::evaluate() {
 }
 
 void Stepper::renew_neighbours() {
-  if (domain_) domain_->update(backend_.fluid(), backend_.boundary(), backend_.list_radius());
+  if (domain_) {
+    const PassClock clock(backend_.pass_times(), "ground");
+    domain_->update(backend_.fluid(), backend_.boundary(), backend_.list_radius());
+  }
   backend_.find_neighbours();
 }
 

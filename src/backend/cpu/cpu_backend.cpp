@@ -41,8 +41,17 @@ CpuBackend::CpuBackend(const FlowModel& model, const PairSweeps& sweeps)
 
 void CpuBackend::list_pairs() {
   NeighbourSearch search(model_.periodic, list_radius(), threads());
-  search.sort(fluid_, boundary_);
-  search.fill(fluid_.position, boundary_.position, list_, has_neighbours_);
+  {
+    const PassClock clock(pass_times_, "sort");
+    search.sort(fluid_, boundary_);
+  }
+  {
+    const PassClock clock(pass_times_, "neighbour search");
+    search.fill(fluid_.position, boundary_.position, list_, has_neighbours_);
+    fluid_pairs_ = list_.pairs(0, fluid_.size());
+    boundary_pairs_ = list_.pairs(fluid_.size(), list_.size());
+    pass_times_["neighbour search"].pairs += fluid_pairs_ + boundary_pairs_;
+  }
   listed_position_ = fluid_.position;
   set_scale();
 }
@@ -84,6 +93,7 @@ void CpuBackend::set_scale() {
 }
 
 bool CpuBackend::neighbours_are_stale(double margin) const {
+  const PassClock clock(pass_times_, "checks and sums");
   if (listed_position_.size() != fluid_.size() || list_.size() != fluid_.size() + boundary_.size())
     return true;
   double moved2 = 0;
@@ -99,6 +109,7 @@ bool CpuBackend::neighbours_are_stale(double margin) const {
 }
 
 void CpuBackend::pack_motion() {
+  const PassClock clock(pass_times_, "records");
   motion_.resize(fluid_.size() + boundary_.size());
   const double per_unit = 1.0 / scale_.unit;
   std::size_t offset = 0;
@@ -122,6 +133,7 @@ void CpuBackend::pack_motion() {
 }
 
 void CpuBackend::pack_stress() {
+  const PassClock clock(pass_times_, "records");
   stress_records_.resize(motion_.size());
   const double convention = model_.strain_convention();
   std::size_t offset = 0;
@@ -154,6 +166,7 @@ void CpuBackend::pack_stress() {
 
 void CpuBackend::strain_and_density_rates() {
   pack_motion();
+  const PassClock clock(pass_times_, "motion sweep", fluid_pairs_ + boundary_pairs_);
   parallel_blocks(motion_.size(), threads(), [&](Range range) {
     sweeps_.motion({&scale_, &list_, motion_.data(), fluid_.size(), range.first, range.last,
                     strain_.data(), density_rate_.data()});
@@ -162,6 +175,7 @@ void CpuBackend::strain_and_density_rates() {
 
 void CpuBackend::momentum() {
   pack_stress();
+  const PassClock clock(pass_times_, "force sweep", fluid_pairs_);
   parallel_blocks(fluid_.size(), threads(), [&](Range range) {
     sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last, model_.gravity,
                    acceleration_.data(), pressure_power_.data()});

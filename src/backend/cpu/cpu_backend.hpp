@@ -35,6 +35,8 @@ class CpuBackend : public HostBackend {
   Vec3d centre_;                        // of all particles; zero of the integer positions
   PairScale scale_;
   PairList list_;
+  std::size_t fluid_pairs_ = 0;     // listed by fluid particles
+  std::size_t boundary_pairs_ = 0;  // listed by boundary particles
   std::vector<MotionRecord> motion_;
   std::vector<StressRecord> stress_records_;
 };

@@ -34,6 +34,14 @@ class PairList {
     return {base + o.fluid, base + o.boundary, base + o.end};
   }
 
+  /// Listed pairs of particles [first, last), without padding.
+  std::size_t pairs(std::size_t first, std::size_t last) const {
+    std::size_t sum = 0;
+    for (std::size_t i = first; i < last; ++i)
+      sum += rows_[i].end - rows_[i].fluid - rows_[i].padding;
+    return sum;
+  }
+
   /// Fills one chunk: `append(i, part, neighbours)` appends the neighbours of i, part 0 fluid and
   /// part 1 boundary. Chunks may be filled by different threads; the outcome does not depend on it.
   template <class Append>
@@ -44,10 +52,10 @@ class PairList {
     for (std::size_t i = c * chunk; i < last; ++i) {
       rows_[i].fluid = static_cast<std::uint32_t>(list.size());
       append(i, 0, list);
-      pad(list, rows_[i].fluid, i);
+      rows_[i].padding = pad(list, rows_[i].fluid, i);
       rows_[i].boundary = static_cast<std::uint32_t>(list.size());
       append(i, 1, list);
-      pad(list, rows_[i].boundary, i);
+      rows_[i].padding += pad(list, rows_[i].boundary, i);
       rows_[i].end = static_cast<std::uint32_t>(list.size());
     }
   }
@@ -55,10 +63,14 @@ class PairList {
  private:
   struct Offsets {
     std::uint32_t fluid, boundary, end;
+    std::uint32_t padding;  // entries of both runs that are no pairs
   };
 
-  static void pad(std::vector<std::uint32_t>& list, std::size_t start, std::size_t self) {
+  /// Returns how many entries it appended.
+  static std::uint32_t pad(std::vector<std::uint32_t>& list, std::size_t start, std::size_t self) {
+    const std::size_t before = list.size();
     while ((list.size() - start) % lanes != 0) list.push_back(static_cast<std::uint32_t>(self));
+    return static_cast<std::uint32_t>(list.size() - before);
   }
 
   std::vector<Offsets> rows_;
