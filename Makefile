@@ -33,6 +33,7 @@ test: build
 	python3 tools/check_layers.py
 	sh tools/check_format.sh
 	python3 tests/tools/test_check_layers.py
+	python3 tests/tools/test_compare_bench.py
 	ctest --preset release -j 2
 
 docs:

@@ -28,6 +28,7 @@ LAYERS = {
     "io/case_file": 6,
     "io/output": 6,
     "run": 7,
+    "bench": 7,
     "app": 8,
 }
 
@@ -38,6 +39,7 @@ SIBLINGS = {
     "backend/cpu": {"backend"},
     "backend/cuda": {"backend"},
     "io/output": {"io/gis", "analysis"},
+    "bench": {"run"},
 }
 
 QUIET_LAYERS = 5  # layers up to this one never print or exit

@@ -22,5 +22,6 @@ void add_run_command(CLI::App& program, Action& action);
 void add_plot_command(CLI::App& program, Action& action);
 void add_info_command(CLI::App& program, Action& action);
 void add_models_command(CLI::App& program, Action& action);
+void add_bench_command(CLI::App& program, Action& action);
 
 }  // namespace sabo

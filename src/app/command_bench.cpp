@@ -1,0 +1,90 @@
+#include <algorithm>
+#include <memory>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <omp.h>
+
+#include "app/commands.hpp"
+#include "base/error.hpp"
+#include "bench/parts.hpp"
+#include "io/output/file.hpp"
+
+namespace sabo {
+namespace {
+
+struct BenchOptions {
+  BenchSettings settings;
+  std::string json;
+  std::vector<std::string> only;
+};
+
+std::vector<std::string_view> part_names() {
+  std::vector<std::string_view> names;
+  for (const BenchPart& part : bench_parts()) names.push_back(part.name);
+  return names;
+}
+
+/// The parts that are wanted, in the order of the list.
+std::vector<BenchPart> chosen_parts(const std::vector<std::string>& only) {
+  if (only.empty()) return bench_parts();
+  for (const std::string& name : only)
+    if (std::ranges::count(part_names(), name) == 0)
+      throw CaseError("--only", fmt::format("there is no part \"{}\"", name),
+                      fmt::format("give some of {}", fmt::join(part_names(), ", ")));
+  std::vector<BenchPart> parts;
+  for (const BenchPart& part : bench_parts())
+    if (std::ranges::count(only, part.name) > 0) parts.push_back(part);
+  return parts;
+}
+
+int bench(const BenchOptions& options) {
+  const std::vector<BenchPart> parts = chosen_parts(options.only);
+  const BenchMachine machine = bench_machine(options.settings);
+  fmt::print("sabo {} ({})\n{}, {}, {}\n", machine.version, machine.compiler, machine.cpu,
+             threads_text(machine.threads), machine.instruction_set);
+  std::vector<Measurement> measurements;
+  for (const BenchPart& part : parts) {
+    const BenchResult result = part.measure(options.settings);
+    for (const BenchTable& table : result.tables) fmt::print("\n{}", text_of(table));
+    std::fflush(stdout);
+    measurements.insert(measurements.end(), result.measurements.begin(), result.measurements.end());
+  }
+  if (!options.json.empty()) {
+    write_file_atomically(options.json, json_of(machine, measurements));
+    fmt::print("\nWrote {}\n", options.json);
+  }
+  return exit_done;
+}
+
+std::string part_list() {
+  std::string text = "Parts:";
+  for (const BenchPart& part : bench_parts())
+    text += fmt::format("\n  {:<12} {}", part.name, part.summary);
+  return text;
+}
+
+}  // namespace
+
+void add_bench_command(CLI::App& program, Action& action) {
+  CLI::App* command =
+      program.add_subcommand("bench", "Measure how fast this program is on this machine");
+  const auto options = std::make_shared<BenchOptions>();
+  options->settings.threads = omp_get_max_threads();
+  command->add_flag("--quick", options->settings.quick,
+                    "small scenes, few repetitions: to see that it works");
+  command->add_option("--threads", options->settings.threads, "most threads; default: all")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1024).description(""));
+  command->add_option("--json", options->json, "write the results there, for compare_bench.py")
+      ->type_name("FILE");
+  command->add_option("--only", options->only, "parts to measure; default: all")
+      ->delimiter(',')
+      ->type_name("PART,PART,...");
+  command->footer(part_list() +
+                  "\n\nExamples:\n  sabo bench --json before.json\n"
+                  "  sabo bench --only passes,steps --threads 1");
+  command->callback([&action, options] { action = {"", [options] { return bench(*options); }}; });
+}
+
+}  // namespace sabo

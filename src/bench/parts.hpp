@@ -1,0 +1,46 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "bench/report.hpp"
+
+namespace sabo {
+
+struct BenchSettings {
+  int threads = 1;     ///< the most that are used
+  bool quick = false;  ///< small scenes, few repetitions: to see that it works, not to compare
+
+  int repeats() const { return quick ? 3 : 5; }
+};
+
+// Each measures one thing with the program's own code.
+
+/// Peak of multiply-add in registers, for each instruction set, one core and all threads.
+BenchResult bench_peak(const BenchSettings& settings);
+/// Speed of the passes over pairs for each instruction set, beside that peak.
+BenchResult bench_passes(const BenchSettings& settings);
+/// Whole steps of a debris flow on terrain, and what share each pass has.
+BenchResult bench_steps(const BenchSettings& settings);
+/// The same with more and more threads.
+BenchResult bench_threads(const BenchSettings& settings);
+/// A layer of growing area: the time per particle must stay level.
+BenchResult bench_particles(const BenchSettings& settings);
+/// The same flow on a map of ten times the area: the time of a step must not change.
+BenchResult bench_dry_terrain(const BenchSettings& settings);
+/// Water in a tank, as other programs are measured.
+BenchResult bench_dam_break(const BenchSettings& settings);
+
+struct BenchPart {
+  std::string_view name;
+  std::string_view summary;
+  BenchResult (*measure)(const BenchSettings&);
+};
+
+/// All parts, in the order in which they run.
+const std::vector<BenchPart>& bench_parts();
+
+/// This machine and this program.
+BenchMachine bench_machine(const BenchSettings& settings);
+
+}  // namespace sabo

@@ -1,0 +1,74 @@
+#include "bench/report.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace sabo {
+namespace {
+
+/// A text between quotes; control characters become spaces.
+std::string json_string(const std::string& text) {
+  std::string result = "\"";
+  for (const char c : text) {
+    if (c == '"' || c == '\\') result += '\\';
+    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+  }
+  return result + '"';
+}
+
+/// JSON has neither NaN nor infinity.
+std::string json_number(double value) {
+  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
+}
+
+std::vector<std::size_t> column_widths(const BenchTable& table) {
+  std::vector<std::size_t> widths;
+  for (const std::string& cell : table.header) widths.push_back(cell.size());
+  for (const auto& row : table.rows)
+    for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], row[k].size());
+  return widths;
+}
+
+std::string line_of(const std::vector<std::string>& cells, const std::vector<std::size_t>& widths) {
+  std::string line = " ";
+  for (std::size_t k = 0; k < cells.size(); ++k)
+    line += k == 0 ? fmt::format(" {:<{}}", cells[k], widths[k])
+                   : fmt::format("  {:>{}}", cells[k], widths[k]);
+  return line + "\n";
+}
+
+}  // namespace
+
+std::string threads_text(int threads) {
+  return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s");
+}
+
+std::string text_of(const BenchTable& table) {
+  const std::vector<std::size_t> widths = column_widths(table);
+  std::string text = table.title + "\n" + line_of(table.header, widths);
+  for (const auto& row : table.rows) text += line_of(row, widths);
+  for (const std::string& note : table.notes) text += "  " + note + "\n";
+  return text;
+}
+
+std::string json_of(const BenchMachine& machine, const std::vector<Measurement>& measurements) {
+  std::string text = fmt::format(
+      "{{\n  \"format\": 1,\n  \"version\": {},\n  \"compiler\": {},\n  \"cpu\": {},\n"
+      "  \"instruction_set\": {},\n  \"threads\": {},\n  \"date\": {},\n  \"results\": [",
+      json_string(machine.version), json_string(machine.compiler), json_string(machine.cpu),
+      json_string(machine.instruction_set), machine.threads, json_string(machine.date));
+  const char* separator = "\n";
+  for (const Measurement& m : measurements) {
+    text += fmt::format(
+        "{}    {{\"name\": {}, \"value\": {}, \"unit\": {}, \"low\": {}, \"high\": {}, "
+        "\"repeats\": {}}}",
+        separator, json_string(m.name), json_number(m.value), json_string(m.unit),
+        json_number(m.low), json_number(m.high), m.repeats);
+    separator = ",\n";
+  }
+  return text + "\n  ]\n}\n";
+}
+
+}  // namespace sabo

@@ -1,0 +1,202 @@
+#include "bench/scenes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+#include "backend/cpu/cpu_backend.hpp"
+#include "case/case.hpp"
+#include "solver/flow_model.hpp"
+#include "solver/make_backend.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr int depth = 5;              // particles
+constexpr double start_speed = 0.05;  // over the sound speed: lists last some fifteen steps
+
+MaterialCase debris() {
+  MaterialCase material;
+  material.density = 1800;
+  material.law = Cross{500, 1000, 1};
+  material.yield = {0, 30, 0.5};
+  return material;
+}
+
+NumericsCase debris_numerics(int threads) {
+  NumericsCase numerics;
+  numerics.spacing = 1;
+  numerics.reference_speed = 15;
+  numerics.threads = threads;
+  return numerics;
+}
+
+FlowModel debris_model(int threads) {
+  return flow_model(debris(), debris_numerics(threads), depth);
+}
+
+void add_particle(Particles& particles, const FlowModel& model, const Vec3d& position) {
+  const std::size_t i = particles.size();
+  particles.resize(i + 1);
+  particles.position[i] = position;
+  particles.density[i] = model.state.rho0;
+  particles.mass[i] = model.state.rho0 * std::pow(model.spacing, 3);
+  particles.id[i] = static_cast<std::uint32_t>(i);
+}
+
+/// One particle in the middle of each cell of a block of the lattice.
+void add_cells(Particles& particles, const FlowModel& model, int nx, int ny, int z0, int z1) {
+  const double dp = model.spacing;
+  for (int k = z0; k < z1; ++k)
+    for (int j = 0; j < ny; ++j)
+      for (int i = 0; i < nx; ++i)
+        add_particle(particles, model, {(i + 0.5) * dp, (j + 0.5) * dp, (k + 0.5) * dp});
+}
+
+int layers_of(const FlowModel& model) {
+  return static_cast<int>(std::ceil(model.kernel_radius() / model.spacing - 1e-9));
+}
+
+/// Density of the fluid at rest at a depth of `below_surface` (m).
+double density_at(const FlowModel& model, double below_surface) {
+  return model.state.density(model.state.rho0 * -model.gravity.z * std::max(0.0, below_surface));
+}
+
+void finish(BenchFlow& flow, const NumericsCase& numerics) {
+  const FlowModel& model = flow.backend->model();
+  flow.stepper =
+      std::make_unique<Stepper>(*flow.backend, time_step_rule(numerics, model), flow.domain.get());
+}
+
+/// Rough ground that falls by 0.36 m per m along x; a function of the place alone, so that the
+/// same flow meets the same ground on maps of any size.
+double rough_height(double x, double y) {
+  return -0.36 * x + 0.3 * std::sin(x / 7) * std::cos(y / 5) + 0.1 * std::sin(1.3 * x + 0.7 * y);
+}
+
+Raster rough_map(int cells) {
+  const double half = 0.5 * cells;
+  Raster map(Grid{cells, cells, -half, half, 1, 1});
+  for (int row = 0; row < cells; ++row)
+    for (int column = 0; column < cells; ++column)
+      map.at(column, row) = rough_height(map.grid.x_of(column), map.grid.y_of(row));
+  return map;
+}
+
+constexpr double water_depth = 0.3, water_length = 0.4;  // m
+
+/// Water, tank and column of dam_break(), with a particle on each corner of the lattice.
+void fill_tank(Particles& water, Particles& walls, const FlowModel& model) {
+  const double spacing = model.spacing;
+  const auto cells = [&](double length) { return static_cast<int>(std::lround(length / spacing)); };
+  const int nx = cells(1.6), ny = cells(0.67), nz = cells(0.4);
+  const int x0 = cells(0.9), x1 = cells(1.02), y0 = cells(0.24), y1 = cells(0.36);
+  const int top = cells(0.45);
+  for (int i = 0; i <= nx; ++i)
+    for (int j = 0; j <= ny; ++j)
+      for (int k = 0; k <= top; ++k) {
+        const bool on_tank = k <= nz && (i == 0 || i == nx || j == 0 || j == ny || k == 0);
+        const bool in_column = i >= x0 && i <= x1 && j >= y0 && j <= y1;
+        const bool on_column = in_column && (i == x0 || i == x1 || j == y0 || j == y1 || k == top);
+        const Vec3d x{i * spacing, j * spacing, k * spacing};
+        if (on_tank || on_column)
+          add_particle(walls, model, x);
+        else if (i <= cells(water_length) && k <= cells(water_depth) && !in_column)
+          add_particle(water, model, x);
+      }
+}
+
+}  // namespace
+
+BenchFlow cube_flow(const PairSweeps& sweeps, int side, int threads) {
+  const FlowModel model = debris_model(threads);
+  BenchFlow flow;
+  flow.backend = std::make_unique<CpuBackend>(model, sweeps);
+  add_cells(flow.backend->fluid(), model, side, side, 0, side);
+  finish(flow, debris_numerics(threads));
+  return flow;
+}
+
+BenchFlow layer_flow(int side, int threads) {
+  FlowModel model = debris_model(threads);
+  model.periodic.period[0] = {side * model.spacing, 0, 0};
+  model.periodic.period[1] = {0, side * model.spacing, 0};
+  BenchFlow flow;
+  flow.backend = make_backend(BackendKind::cpu, model);
+  Particles& fluid = flow.backend->fluid();
+  add_cells(fluid, model, side, side, 0, depth);
+  add_cells(flow.backend->boundary(), model, side, side, -layers_of(model), 0);
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    fluid.velocity[i] = {start_speed * model.state.c0, 0, 0};
+    fluid.density[i] = density_at(model, depth * model.spacing - fluid.position[i].z);
+  }
+  finish(flow, debris_numerics(threads));
+  return flow;
+}
+
+BenchFlow slope_flow(int side, double map_over_flow, int threads) {
+  const FlowModel model = debris_model(threads);
+  const double dp = model.spacing;
+  BenchFlow flow;
+  flow.surface = std::make_unique<Surface>(
+      rough_map(static_cast<int>(std::lround(map_over_flow * side * dp))));
+  flow.ground = std::make_unique<Ground>(*flow.surface, std::vector<CheckDam>{},
+                                         GroundSettings{dp, layers_of(model), model.state.rho0});
+  flow.domain = std::make_unique<Domain>(*flow.ground);
+  flow.backend = make_backend(BackendKind::cpu, model);
+  Particles& fluid = flow.backend->fluid();
+  add_cells(fluid, model, side, side, 0, depth);
+  const double speed = start_speed * model.state.c0;
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    Vec3d& x = fluid.position[i];
+    fluid.density[i] = density_at(model, depth * dp - x.z);
+    x.x -= 0.5 * side * dp;
+    x.y -= 0.5 * side * dp;
+    x.z += flow.surface->height(x.x, x.y);
+    fluid.velocity[i] = {speed, 0, -0.36 * speed};
+  }
+  finish(flow, debris_numerics(threads));
+  return flow;
+}
+
+BenchFlow dam_break(double spacing, double h_over_dp, int threads) {
+  MaterialCase material;
+  material.density = 1000;
+  material.law = Newtonian{0.001};
+  NumericsCase numerics;
+  numerics.spacing = spacing;
+  numerics.h_over_dp = h_over_dp;
+  numerics.sound_speed_factor = 20;
+  numerics.diffusion_form = DiffusionForm::fourtakas;
+  numerics.artificial_viscosity = 0.1;
+  numerics.threads = threads;
+  const FlowModel model = flow_model(material, numerics, water_depth);
+
+  BenchFlow flow;
+  flow.backend = make_backend(BackendKind::cpu, model);
+  fill_tank(flow.backend->fluid(), flow.backend->boundary(), model);
+  Particles& fluid = flow.backend->fluid();
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    // It runs out already, without changing its volume.
+    const Vec3d& x = fluid.position[i];
+    const double stretch = start_speed * model.state.c0 / water_length;
+    fluid.velocity[i] = {stretch * x.x, 0, -stretch * x.z};
+    fluid.density[i] = density_at(model, water_depth - x.z);
+  }
+  finish(flow, numerics);
+  return flow;
+}
+
+int lattice_neighbours(double h_over_dp) {
+  const double radius2 = 4 * h_over_dp * h_over_dp;
+  const int reach = static_cast<int>(2 * h_over_dp);
+  int count = -1;
+  for (int i = -reach; i <= reach; ++i)
+    for (int j = -reach; j <= reach; ++j)
+      for (int k = -reach; k <= reach; ++k)
+        if (i * i + j * j + k * k < radius2) ++count;
+  return count;
+}
+
+}  // namespace sabo
