@@ -1,6 +1,6 @@
 # Short names for the usual commands. CMakePresets.json is underneath.
 .POSIX:
-.PHONY: help build demo test docs study asan format tidy
+.PHONY: help build demo test bench docs study asan format tidy
 
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
@@ -11,6 +11,7 @@ help:
 	@echo 'make build    install what is missing, then build build/release/src/sabo'
 	@echo 'make demo     build, then run the example: a debris flow meets a check dam'
 	@echo 'make test     build, then run all checks and tests'
+	@echo 'make bench    measure the speed on this machine: the program, then its parts'
 	@echo 'make docs     rewrite the keys in docs/ from their descriptions, and the figures of the laws'
 	@echo 'make study    hours: run the example in all variants, rewrite the table of docs/yohutagawa.md'
 	@echo 'make asan     the quick tests under the address and undefined-behaviour sanitizers'
@@ -35,6 +36,10 @@ test: build
 	python3 tests/tools/test_check_layers.py
 	python3 tests/tools/test_compare_bench.py
 	ctest --preset release -j 2
+
+bench: build
+	build/release/src/sabo bench
+	build/release/tests/microbench/microbench
 
 docs:
 	@sh tools/install_packages.sh
