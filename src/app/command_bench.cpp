@@ -41,8 +41,8 @@ std::vector<BenchPart> chosen_parts(const std::vector<std::string>& only) {
 int bench(const BenchOptions& options) {
   const std::vector<BenchPart> parts = chosen_parts(options.only);
   const BenchMachine machine = bench_machine(options.settings);
-  fmt::print("sabo {} ({})\n{}, {}, {}\n", machine.version, machine.compiler, machine.cpu,
-             threads_text(machine.threads), machine.instruction_set);
+  fmt::print("sabo {} ({})\n{}, {}, {}\n{}", machine.version, machine.compiler, machine.cpu,
+             threads_text(machine.threads), machine.instruction_set, warning_of(machine));
   std::vector<Measurement> measurements;
   for (const BenchPart& part : parts) {
     const BenchResult result = part.measure(options.settings);

@@ -1,6 +1,9 @@
 #include "bench/parts.hpp"
 
+#include <cstdlib>
+
 #include <fmt/format.h>
+#include <omp.h>
 
 #include "backend/cpu/pair_sweeps.hpp"
 #include "base/version.hpp"
@@ -24,9 +27,16 @@ const std::vector<BenchPart>& bench_parts() {
 }
 
 BenchMachine bench_machine(const BenchSettings& settings) {
-  return {build_version,    fmt::format("{}, {}", build_compiler, build_type),
-          cpu_name(),       common_name(best_pair_sweeps().instruction_set),
-          settings.threads, utc_now()};
+  BenchMachine machine;
+  machine.version = build_version;
+  machine.compiler = fmt::format("{}, {}", build_compiler, build_type);
+  machine.cpu = cpu_name();
+  machine.instruction_set = common_name(best_pair_sweeps().instruction_set);
+  machine.threads = settings.threads;
+  machine.cores = omp_get_num_procs();
+  if (getloadavg(&machine.load, 1) != 1) machine.load = 0;
+  machine.date = utc_now();
+  return machine;
 }
 
 }  // namespace sabo

@@ -41,6 +41,15 @@ std::string line_of(const std::vector<std::string>& cells, const std::vector<std
 
 }  // namespace
 
+std::string warning_of(const BenchMachine& machine) {
+  if (machine.load + machine.threads <= machine.cores + 0.5) return "";
+  return fmt::format(
+      "Load {:.1f} on {} cores: other programs run as well. Steps on several threads then tell "
+      "about them,\nfor every loop waits for the thread that is kept waiting; --threads 1 still "
+      "tells something.\n",
+      machine.load, machine.cores);
+}
+
 std::string threads_text(int threads) {
   return fmt::format("{} thread{}", threads, threads == 1 ? "" : "s");
 }
@@ -56,9 +65,11 @@ std::string text_of(const BenchTable& table) {
 std::string json_of(const BenchMachine& machine, const std::vector<Measurement>& measurements) {
   std::string text = fmt::format(
       "{{\n  \"format\": 1,\n  \"version\": {},\n  \"compiler\": {},\n  \"cpu\": {},\n"
-      "  \"instruction_set\": {},\n  \"threads\": {},\n  \"date\": {},\n  \"results\": [",
+      "  \"instruction_set\": {},\n  \"threads\": {},\n  \"cores\": {},\n  \"load\": {},\n  "
+      "\"date\": {},\n  \"results\": [",
       json_string(machine.version), json_string(machine.compiler), json_string(machine.cpu),
-      json_string(machine.instruction_set), machine.threads, json_string(machine.date));
+      json_string(machine.instruction_set), machine.threads, machine.cores,
+      json_number(machine.load), json_string(machine.date));
   const char* separator = "\n";
   for (const Measurement& m : measurements) {
     text += fmt::format(

@@ -14,6 +14,8 @@ struct BenchMachine {
   std::string cpu;
   std::string instruction_set;  ///< the widest of the machine, which runs use
   int threads = 0;
+  int cores = 0;     ///< processors that the system offers
+  double load = 0;   ///< programs that wanted to run during the last minute
   std::string date;  ///< UTC, ISO 8601
 };
 
@@ -31,6 +33,9 @@ struct BenchResult {
   std::vector<BenchTable> tables;
   std::vector<Measurement> measurements;
 };
+
+/// What must be said before the numbers: nothing on an idle machine.
+std::string warning_of(const BenchMachine& machine);
 
 /// "1 thread", "2 threads".
 std::string threads_text(int threads);

@@ -35,6 +35,18 @@ TEST(Report, IsJsonWhateverTheNamesAndNumbers) {
   EXPECT_THAT(json, HasSubstr(R"("name": "x", "value": null, "unit": "m")"));
 }
 
+TEST(Report, WarnsOfAMachineThatDoesSomethingElse) {
+  BenchMachine machine;
+  machine.cores = 4;
+  machine.threads = 4;
+  machine.load = 0.3;
+  EXPECT_EQ(warning_of(machine), "");
+  machine.load = 2;
+  EXPECT_THAT(warning_of(machine), HasSubstr("Load 2.0 on 4 cores"));
+  machine.threads = 2;  // there is room for both
+  EXPECT_EQ(warning_of(machine), "");
+}
+
 TEST(Peak, IsProbedWithEverySetOfTheSweeps) {
   const auto probes = all_fma_probes();
   ASSERT_EQ(probes.size(), all_pair_sweeps().size());
