@@ -31,6 +31,9 @@ BenchResult bench_dry_terrain(const BenchSettings& settings);
 /// Water in a tank, as other programs are measured.
 BenchResult bench_dam_break(const BenchSettings& settings);
 
+/// What the ratio of the step times on the large and the small map means.
+std::string_view dry_terrain_verdict(double ratio);
+
 struct BenchPart {
   std::string_view name;
   std::string_view summary;

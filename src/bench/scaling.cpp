@@ -38,13 +38,20 @@ BenchResult bench_particles(const BenchSettings& settings) {
   return result;
 }
 
-BenchResult bench_dry_terrain(const BenchSettings& settings) {
+std::string_view dry_terrain_verdict(double ratio) {
   constexpr double allowed = 0.03;
+  if (ratio < 1 - allowed) return "a larger map cannot be faster, the machine is too busy to tell";
+  if (ratio > 1 + allowed) return "more than the 3 % allowed, or the machine is too busy to tell";
+  return "dry terrain costs nothing (within 3 %)";
+}
+
+BenchResult bench_dry_terrain(const BenchSettings& settings) {
   const int side = settings.quick ? 12 : 40;
   constexpr double narrow = 2;
   const double wide = narrow * std::sqrt(10.0);
-  BenchFlow small = slope_flow(side, narrow, settings.threads);
-  BenchFlow large = slope_flow(side, wide, settings.threads);
+  // One thread: the question is of work, and its time depends least on what else runs.
+  BenchFlow small = slope_flow(side, narrow, 1);
+  BenchFlow large = slope_flow(side, wide, 1);
   // In turns, so that what else the machine does meets both alike; they do the same steps.
   Samples small_time, large_time, ratio;
   std::size_t steps = 0;
@@ -64,19 +71,18 @@ BenchResult bench_dry_terrain(const BenchSettings& settings) {
   result.measurements.emplace_back("dry_terrain/ratio", "", ratio);
   result.measurements.emplace_back("dry_terrain/ratio of the fastest", "", Samples{{fastest}});
   BenchTable table;
-  table.title = fmt::format("The same flow, {} + {} particles, on a map of ten times the area",
-                            small.backend->fluid().size(), small.backend->boundary().size());
+  table.title =
+      fmt::format("The same flow, {} + {} particles, on a map of ten times the area, 1 thread",
+                  small.backend->fluid().size(), small.backend->boundary().size());
   table.header = {"cells of the map", "ms/step", "least", "most"};
   for (const auto& [flow, time] : {std::pair{&small, &small_time}, {&large, &large_time}})
     table.rows.push_back({fmt::format("{}", flow->surface->elevation().values.size()),
                           fmt::format("{:.2f}", 1e3 * time->median()),
                           fmt::format("{:.2f}", 1e3 * time->low()),
                           fmt::format("{:.2f}", 1e3 * time->high())});
-  table.notes = {
-      fmt::format("Ratio of the fastest repetitions {:.3f}, of all {:.3f} ({:.3f} to {:.3f}): {}",
-                  fastest, ratio.median(), ratio.low(), ratio.high(),
-                  fastest < 1 + allowed ? "dry terrain costs nothing (under 3 %)"
-                                        : "more than the 3 % allowed, or a noisy machine")};
+  table.notes = {fmt::format(
+      "Ratio of the fastest repetitions {:.3f}, of all {:.3f} ({:.3f} to {:.3f}): {}", fastest,
+      ratio.median(), ratio.low(), ratio.high(), dry_terrain_verdict(fastest))};
   result.tables.push_back(std::move(table));
   return result;
 }

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "backend/cpu/pair_sweeps.hpp"
+#include "bench/parts.hpp"
 #include "bench/peak.hpp"
 
 namespace sabo {
@@ -45,6 +46,13 @@ TEST(Report, WarnsOfAMachineThatDoesSomethingElse) {
   EXPECT_THAT(warning_of(machine), HasSubstr("Load 2.0 on 4 cores"));
   machine.threads = 2;  // there is room for both
   EXPECT_EQ(warning_of(machine), "");
+}
+
+TEST(DryTerrain, MayChangeAStepByThreePercent) {
+  EXPECT_THAT(std::string(dry_terrain_verdict(1.029)), HasSubstr("costs nothing"));
+  EXPECT_THAT(std::string(dry_terrain_verdict(0.971)), HasSubstr("costs nothing"));
+  EXPECT_THAT(std::string(dry_terrain_verdict(1.031)), HasSubstr("more than the 3 %"));
+  EXPECT_THAT(std::string(dry_terrain_verdict(0.6)), HasSubstr("too busy to tell"));
 }
 
 TEST(Peak, IsProbedWithEverySetOfTheSweeps) {
