@@ -6,6 +6,7 @@
 
 #include "backend/model.hpp"
 #include "backend/pass_times.hpp"
+#include "backend/viscous_solver.hpp"
 #include "particles/particles.hpp"
 #include "physics/time_step.hpp"
 
@@ -55,6 +56,27 @@ class Backend {
   /// gravity (Adami et al. 2012, Eq. 27 for walls at rest); at least the reference density. For the
   /// start of a run: later the boundary follows continuity. Needs pressure().
   virtual void extrapolate_to_boundary() = 0;
+
+  // The sweeps of the implicit method, in their order within a step.
+
+  /// Pressure of boundary particles near the fluid, as above, for this step.
+  virtual void wall_pressure() = 0;
+  /// Acceleration of the fluid by gravity, pressure and artificial viscosity; the viscous matrix;
+  /// where the walls are.
+  virtual void near_forces() = 0;
+  /// Resistance of the walls to the flow along them, by the wall law.
+  virtual void wall_resistance() = 0;
+  /// v <- v + dt a, with viscosity and walls implicit: (M + dt K + dt D) v' = M (v + dt a) + dt D
+  /// w. The residual (m/s) ends below `tolerance`, or nothing changes and the solve has not
+  /// converged.
+  virtual ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) = 0;
+  /// Strain rate and rate of density of the fluid with its new velocity.
+  virtual void near_motion() = 0;
+  /// Moves density and position over the step, then finds the pressure of the fluid and its
+  /// effective viscosity.
+  virtual void advance_state(double dt) = 0;
+  /// Another speed of sound (m/s); densities change so that pressures do not.
+  virtual void set_sound_speed(double c0) = 0;
 
   /// Extremes of the last evaluation, for the time step.
   virtual FlowExtremes extremes() const = 0;

@@ -6,6 +6,7 @@
 
 #include <omp.h>
 
+#include "backend/host_loops.hpp"
 #include "physics/pair/strain_rate.hpp"
 
 namespace sabo {
@@ -13,26 +14,12 @@ namespace {
 
 using Index = std::ptrdiff_t;  // OpenMP loops want a signed index
 
-/// Sum of f(i) over fixed blocks, so that it has the same bits for any number of threads.
-template <class F>
-double blocked_sum(std::size_t count, int threads, const F& f) {
-  constexpr std::size_t block = 1024;
-  const std::size_t blocks = (count + block - 1) / block;
-  std::vector<double> partial(blocks, 0.0);
-#pragma omp parallel for num_threads(threads) schedule(static)
-  for (Index b = 0; b < static_cast<Index>(blocks); ++b) {
-    const std::size_t last = std::min(count, (b + 1) * block);
-    for (std::size_t i = b * block; i < last; ++i) partial[b] += f(i);
-  }
-  double sum = 0;
-  for (const double p : partial) sum += p;
-  return sum;
-}
-
 }  // namespace
 
 HostBackend::HostBackend(const FlowModel& model)
-    : Backend(model), threads_(model.threads > 0 ? model.threads : omp_get_max_threads()) {}
+    : Backend(model),
+      half_space_(model.h, model.dimension),
+      threads_(model.threads > 0 ? model.threads : omp_get_max_threads()) {}
 
 void HostBackend::find_neighbours() {
   if (model_.periodic.any())
@@ -44,6 +31,12 @@ void HostBackend::find_neighbours() {
   density_rate_.assign(all, 0);
   acceleration_.assign(fluid_.size(), {});
   pressure_power_.assign(fluid_.size(), 0);
+  wall_share_.assign(fluid_.size(), {});
+  wall_drag_.assign(fluid_.size(), 0);
+  wall_slope_.assign(fluid_.size(), {});
+  support_.assign(fluid_.size(), 0);
+  filling_.assign(fluid_.size(), {});
+  background_.assign(fluid_.size(), {});
 }
 
 void HostBackend::pressure() {

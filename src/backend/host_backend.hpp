@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "backend/filling.hpp"
+#include "backend/wall_share.hpp"
 #include "math/sym3.hpp"
+#include "physics/half_space.hpp"
 
 namespace sabo {
-
-/// Loops that do little for each of fewer particles than this are over before other threads have
-/// woken up.
-inline constexpr std::ptrdiff_t worth_threads = 4096;
 
 /// A backend whose arrays live in host memory: owns the state and the sweeps that look at one
 /// particle at a time. Pairs are left to the backends proper.
@@ -30,6 +29,9 @@ class HostBackend : public Backend {
   double dissipation() const override;
   void predict(double dt) override;
   void correct(double dt) override;
+  void wall_resistance() override;
+  void advance_state(double dt) override;
+  void set_sound_speed(double c0) override;
   const std::vector<Vec3d>& accelerations() const override { return acceleration_; }
   const std::vector<double>& density_rates() const override { return density_rate_; }
 
@@ -42,8 +44,15 @@ class HostBackend : public Backend {
 
   int threads() const { return threads_; }
 
+  /// Density gradients that density diffusion leaves alone.
+  void find_diffusion_background();
+  /// Shear rate and effective viscosity of the fluid from its strain rate and pressure.
+  void find_viscosity();
+
+  HalfSpace half_space_;
   Particles fluid_;
   Particles boundary_;
+  std::vector<std::uint32_t> awake_;  ///< fluid particles that take part in the sweeps, in order
 
   // Results of the last evaluation. Arrays over all particles hold the fluid first.
   std::vector<Sym3<double>> strain_;  ///< eps = grad v + (grad v)^T, 1/s
@@ -53,7 +62,18 @@ class HostBackend : public Backend {
   std::vector<double> pressure_power_;  ///< fluid only, v times acceleration by pressure, W/kg
   std::vector<char> has_neighbours_;    ///< fluid only
 
+  // Of the implicit method, fluid only.
+  std::vector<WallShare> wall_share_;
+  std::vector<double> wall_drag_;  ///< area times resistance, kg/s
+  std::vector<Vec3d> wall_slope_;  ///< normal out of the wall over the distance to it, 1/m
+  std::vector<double> support_;    ///< share of the kernel that has neighbours, by its gradient
+  std::vector<Vec3d> background_;  ///< density gradient that diffusion leaves alone, 1/m
+  std::vector<Filling> filling_;
+
  private:
+  double held_to_places(double density, std::size_t i, double catch_up) const;
+  template <class Law>
+  WallContact contact_of(const Law& law, std::size_t i) const;
   template <class Law>
   void stress_of(const Law& law, Particles& particles, std::size_t offset, bool carries_stress);
 

@@ -6,6 +6,7 @@
 #include "physics/kernel.hpp"
 #include "physics/rheology_list.hpp"
 #include "physics/switches.hpp"
+#include "physics/wall_shear.hpp"
 #include "physics/yield.hpp"
 
 namespace sabo {
@@ -24,7 +25,10 @@ struct FlowModel {
   double artificial_viscosity = 0;  ///< Monaghan's alpha
   ViscousOperator viscous_operator = ViscousOperator::nested;
   BoundaryStress boundary_stress = BoundaryStress::own;
+  WallShear wall = NoSlip{};  ///< of the implicit method
   bool as_printed = false;
+  double crowding_tolerance = 0.03;  ///< of the implicit method: filling beyond density
+  bool walls_move = false;           ///< boundary particles may have velocities
   Periodic periodic;
   int threads = 0;  ///< 0: all
 

@@ -9,6 +9,7 @@
 #include "case/case.hpp"
 #include "solver/flow_model.hpp"
 #include "solver/make_backend.hpp"
+#include "solver/make_stepper.hpp"
 
 namespace sabo {
 namespace {
@@ -64,9 +65,7 @@ double density_at(const FlowModel& model, double below_surface) {
 }
 
 void finish(BenchFlow& flow, const NumericsCase& numerics) {
-  const FlowModel& model = flow.backend->model();
-  flow.stepper =
-      std::make_unique<Stepper>(*flow.backend, time_step_rule(numerics, model), flow.domain.get());
+  flow.stepper = make_stepper(numerics, *flow.backend, flow.domain.get());
 }
 
 /// Rough ground that falls by 0.36 m per m along x; a function of the place alone, so that the
@@ -165,6 +164,8 @@ BenchFlow dam_break(double spacing, double h_over_dp, int threads) {
   material.density = 1000;
   material.law = Newtonian{0.001};
   NumericsCase numerics;
+  numerics.method = Method::paper;  // two evaluations of the forces in a step
+  numerics.cfl = 0.2;
   numerics.spacing = spacing;
   numerics.h_over_dp = h_over_dp;
   numerics.sound_speed_factor = 20;

@@ -9,10 +9,10 @@
 
 namespace sabo {
 
-enum class Method { paper };
+enum class Method { fast, paper };
 template <>
 struct Words<Method> {
-  static constexpr std::array<std::string_view, 1> list{"paper"};
+  static constexpr std::array<std::string_view, 2> list{"fast", "paper"};
 };
 
 enum class BackendKind { reference, cpu };
@@ -23,7 +23,7 @@ struct Words<BackendKind> {
 
 struct NumericsCase {
   double spacing = 0;
-  Method method = Method::paper;
+  Method method = Method::fast;
   BackendKind backend = BackendKind::cpu;
   int threads = 0;
   double h_over_dp = 1.5;
@@ -31,13 +31,16 @@ struct NumericsCase {
   std::optional<double> h_max;
   double reference_speed = 0;
   double density_diffusion = 0.1;
-  DiffusionForm diffusion_form = DiffusionForm::molteni;
+  DiffusionForm diffusion_form = DiffusionForm::fourtakas;
   double artificial_viscosity = 0;
   ViscousOperator viscous_operator = ViscousOperator::nested;
   BoundaryStress boundary_stress = BoundaryStress::own;
   bool as_printed = false;
-  double cfl = 0.2;
+  double cfl = 0.6;
   std::optional<double> viscous_cfl;
+  double viscous_tolerance = 1e-3;
+  int viscous_iterations = 100;
+  bool adaptive_sound_speed = true;
   double gravity = 9.81;
 
   template <class V>
@@ -47,7 +50,10 @@ struct NumericsCase {
           .at_most(1e4)
           .required(),
       spacing);
-    v(Key{"method", "", "paper: weakly compressible SPH as published in 2016"}, method);
+    v(Key{"method", "",
+          "fast: implicit viscosity and wall friction, large steps; paper: as published in 2016"},
+      method);
+    if constexpr (SetsMembers<V>) take_method();
     v(Key{"backend", "", "where the particle loops run: cpu, or reference (serial, all pairs)"},
       backend);
     v(Key{"threads", "", "number of threads; 0 takes all. The results do not depend on it"}
@@ -70,7 +76,7 @@ struct NumericsCase {
       density_diffusion);
     v(Key{"diffusion_form", "",
           "molteni: as published, a thin layer swells over seconds; fourtakas: leaves the density "
-          "gradient of a fluid at rest alone"},
+          "gradient of a fluid at rest alone; default molteni with method paper, else fourtakas"},
       diffusion_form);
     v(Key{"artificial_viscosity", "", "Monaghan's alpha; for water cases 0.01 to 0.05"}
           .at_least(0)
@@ -85,15 +91,41 @@ struct NumericsCase {
       boundary_stress);
     v(Key{"as_printed", "", "keep the printed factor 1/2 of Eqs. 16-17, which halves viscosity"},
       as_printed);
-    v(Key{"cfl", "", "acoustic time step over h / max(c0, 10 v)"}.above(0).at_most(1.5), cfl);
+    v(Key{"cfl", "",
+          "acoustic time step over h / (c0 + v), default 0.6; with method paper over "
+          "h / max(c0, 10 v), default 0.2"}
+          .above(0)
+          .at_most(1.5),
+      cfl);
     v(Key{"viscous_cfl", "",
-          "viscous time step over h^2 rho / mu; default 0.6 (nested), 1.2 (as_printed), "
+          "paper: viscous time step over h^2 rho / mu; default 0.6 (nested), 1.2 (as_printed), "
           "0.23 (morris)"}
           .above(0)
           .at_most(10),
       viscous_cfl);
+    v(Key{"viscous_tolerance", "",
+          "fast: residual of the implicit viscosity, as a share of what gravity adds in a step"}
+          .above(0)
+          .at_most(1),
+      viscous_tolerance);
+    v(Key{"viscous_iterations", "",
+          "fast: most iterations of the implicit viscosity; beyond them the step is halved"}
+          .at_least(1)
+          .at_most(10000),
+      viscous_iterations);
+    v(Key{"adaptive_sound_speed", "",
+          "fast: the sound speed follows the fastest flow, down to that of the depth"},
+      adaptive_sound_speed);
     v(Key{"gravity", "m/s2", "acceleration of gravity, downwards"}.at_least(0).at_most(1000),
       gravity);
+  }
+
+ private:
+  /// The defaults that a method brings along.
+  void take_method() {
+    const bool is_paper = method == Method::paper;
+    diffusion_form = is_paper ? DiffusionForm::molteni : DiffusionForm::fourtakas;
+    cfl = is_paper ? 0.2 : 0.6;
   }
 };
 

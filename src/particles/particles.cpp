@@ -13,19 +13,19 @@ std::vector<T> gathered(const std::vector<T>& source, const std::vector<std::uin
 }  // namespace
 
 void Particles::resize(std::size_t count) {
-#define SABO_RESIZE_FIELD(type, name, unit, meaning) name.resize(count);
+#define SABO_RESIZE_FIELD(type, name, unit, meaning, is_shown) name.resize(count);
   SABO_PARTICLE_FIELDS(SABO_RESIZE_FIELD)
 #undef SABO_RESIZE_FIELD
 }
 
 void Particles::permute(const std::vector<std::uint32_t>& order) {
-#define SABO_PERMUTE_FIELD(type, name, unit, meaning) name = gathered(name, order);
+#define SABO_PERMUTE_FIELD(type, name, unit, meaning, is_shown) name = gathered(name, order);
   SABO_PARTICLE_FIELDS(SABO_PERMUTE_FIELD)
 #undef SABO_PERMUTE_FIELD
 }
 
 void Particles::append(const Particles& source, const std::vector<std::uint32_t>& rows) {
-#define SABO_APPEND_FIELD(type, name, unit, meaning) \
+#define SABO_APPEND_FIELD(type, name, unit, meaning, is_shown) \
   for (const std::uint32_t row : rows) name.push_back(source.name[row]);
   SABO_PARTICLE_FIELDS(SABO_APPEND_FIELD)
 #undef SABO_APPEND_FIELD

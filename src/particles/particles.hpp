@@ -8,21 +8,23 @@
 
 namespace sabo {
 
-// The one list of particle fields: X(type, name, unit, meaning). Members, sizes, permutations and
-// the arrays of a frame come from it.
-#define SABO_PARTICLE_FIELDS(X)                                                     \
-  X(Vec3d, position, "m", "position in the solver frame, z up")                     \
-  X(Vec3d, velocity, "m/s", "velocity")                                             \
-  X(double, density, "kg/m3", "density")                                            \
-  X(double, mass, "kg", "mass; constant in time")                                   \
-  X(std::uint32_t, id, "", "number that stays with the particle for the whole run") \
-  X(double, pressure, "Pa", "pressure of the last evaluation; may be negative")     \
-  X(double, viscosity, "Pa s", "effective viscosity of the last evaluation")        \
-  X(double, shear_rate, "1/s", "engineering shear rate of the last evaluation")
+// The one list of particle fields: X(type, name, unit, meaning, is_shown). Members, sizes,
+// permutations and the arrays of a frame come from it; a frame leaves out what is not shown.
+#define SABO_PARTICLE_FIELDS(X)                                                           \
+  X(Vec3d, position, "m", "position in the solver frame, z up", true)                     \
+  X(Vec3d, velocity, "m/s", "velocity", true)                                             \
+  X(double, density, "kg/m3", "density", true)                                            \
+  X(double, mass, "kg", "mass; constant in time", true)                                   \
+  X(std::uint32_t, id, "", "number that stays with the particle for the whole run", true) \
+  X(double, pressure, "Pa", "pressure of the last evaluation; may be negative", true)     \
+  X(double, viscosity, "Pa s", "effective viscosity of the last evaluation", true)        \
+  X(double, shear_rate, "1/s", "engineering shear rate of the last evaluation", true)     \
+  X(double, calm, "s", "time since it last moved; 0 unless deposits may sleep", false)    \
+  X(Vec3d, drag, "m/s2", "acceleration by an implicit viscosity, guess of the next", false)
 
 /// Structure of arrays, all of equal length.
 struct Particles {
-#define SABO_DECLARE_FIELD(type, name, unit, meaning) std::vector<type> name;
+#define SABO_DECLARE_FIELD(type, name, unit, meaning, is_shown) std::vector<type> name;
   SABO_PARTICLE_FIELDS(SABO_DECLARE_FIELD)
 #undef SABO_DECLARE_FIELD
 
@@ -37,10 +39,11 @@ struct Particles {
   /// Appends the given rows of another set.
   void append(const Particles& source, const std::vector<std::uint32_t>& rows);
 
-  /// Calls f(name, unit, meaning, array) for each field.
+  /// Calls f(name, unit, meaning, array) for each field that is shown.
   template <class F>
-  void for_each_field(F&& f) const {
-#define SABO_VISIT_FIELD(type, name, unit, meaning) f(#name, unit, meaning, name);
+  void for_each_shown_field(F&& f) const {
+#define SABO_VISIT_FIELD(type, name, unit, meaning, is_shown) \
+  if constexpr (is_shown) f(#name, unit, meaning, name);
     SABO_PARTICLE_FIELDS(SABO_VISIT_FIELD)
 #undef SABO_VISIT_FIELD
   }

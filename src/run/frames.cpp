@@ -38,18 +38,19 @@ void Frames::write(double time, const Particles& fluid) {
   frame.points = points;
 
   std::list<std::vector<float>> kept;  // the frame holds views of these
-  fluid.for_each_field([&](const char* field, const char* unit, const char*, const auto& values) {
-    using Value = typename std::decay_t<decltype(values)>::value_type;
-    if constexpr (std::is_same_v<Value, std::uint32_t>) {
-      frame.arrays.push_back({title(field, unit), 1, std::span(values)});
-    } else if constexpr (std::is_same_v<Value, double>) {
-      kept.emplace_back(values.begin(), values.end());
-      frame.arrays.push_back({title(field, unit), 1, std::span<const float>(kept.back())});
-    } else if (&values != &fluid.position) {
-      kept.push_back(flattened(values));
-      frame.arrays.push_back({title(field, unit), 3, std::span<const float>(kept.back())});
-    }
-  });
+  fluid.for_each_shown_field(
+      [&](const char* field, const char* unit, const char*, const auto& values) {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        if constexpr (std::is_same_v<Value, std::uint32_t>) {
+          frame.arrays.push_back({title(field, unit), 1, std::span(values)});
+        } else if constexpr (std::is_same_v<Value, double>) {
+          kept.emplace_back(values.begin(), values.end());
+          frame.arrays.push_back({title(field, unit), 1, std::span<const float>(kept.back())});
+        } else if (&values != &fluid.position) {
+          kept.push_back(flattened(values));
+          frame.arrays.push_back({title(field, unit), 3, std::span<const float>(kept.back())});
+        }
+      });
   write_particles_vtp(folder_ / name, frame);
   list_.add(time, name);
 }

@@ -64,10 +64,10 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       energy_csv_(folder.series() / "energy.csv",
                   {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
                    "dissipated [J]"}),
-      solver_csv_(
-          folder.series() / "solver.csv",
-          {"time [s]", "step [count]", "time step [s]", "fastest [m/s]", "lowest density ratio",
-           "highest density ratio", "fluid [count]", "boundary [count]"}) {
+      solver_csv_(folder.series() / "solver.csv",
+                  {"time [s]", "step [count]", "time step [s]", "fastest [m/s]",
+                   "lowest density ratio", "highest density ratio", "fluid [count]",
+                   "boundary [count]", "sound speed [m/s]", "viscous iterations [count]"}) {
   for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
   for (const NamedZone& zone : scene.zones)
     zones_.emplace_back(scene.surface->elevation(), zone.polygons);
@@ -102,9 +102,10 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   row.time = stepper.time();
   const double interval = rows_.empty() ? 0 : row.time - rows_.back().time;
   row.front = front_.update(row.time, backend.fluid());
-  row.energy = energy_of(backend.fluid(), model_.gravity, model_.state);
+  row.energy = energy_of(backend.fluid(), model_.gravity, backend.model().state);
   // Dynamic boundary particles are compressed by the flow and give the energy back.
-  row.energy.elastic += energy_of(backend.boundary(), model_.gravity, model_.state).elastic;
+  row.energy.elastic +=
+      energy_of(backend.boundary(), model_.gravity, backend.model().state).elastic;
   row.dissipated = stepper.dissipated();
 
   std::vector<double> discharge{row.time};
@@ -150,7 +151,8 @@ void Recorder::write_solver_row(const Stepper& stepper, const StepReport& report
   solver_csv_.append({stepper.time(), static_cast<double>(stepper.steps()), report.dt,
                       report.flow.speed, health.min_density_ratio, health.max_density_ratio,
                       static_cast<double>(backend.fluid().size()),
-                      static_cast<double>(backend.boundary().size())});
+                      static_cast<double>(backend.boundary().size()), report.sound_speed,
+                      static_cast<double>(report.iterations)});
 }
 
 }  // namespace sabo

@@ -16,7 +16,7 @@
 #include "solver/domain.hpp"
 #include "solver/flow_model.hpp"
 #include "solver/make_backend.hpp"
-#include "solver/stepper.hpp"
+#include "solver/make_stepper.hpp"
 #include "terrain/ground.hpp"
 
 namespace sabo {
@@ -53,7 +53,7 @@ class Simulation {
         folder_(folder),
         recorder_(c, scene, model_, folder_),
         frames_(scene, folder_),
-        stepper_(*backend_, time_step_rule(c.numerics, model_), &domain_) {}
+        stepper_(make_stepper(c.numerics, *backend_, &domain_)) {}
 
   RunResult run() {
     facts_.started = utc_now();
@@ -77,11 +77,11 @@ class Simulation {
     StepReport report;
     recorder_.after_renewal(domain_);
     while (true) {
-      const double time = stepper_.time();
+      const double time = stepper_->time();
       const bool is_over = time >= duration || backend_->fluid().size() == 0;
       const bool is_stopped = options_.stop && *options_.stop;
       if (time >= row_due || is_over || is_stopped) {
-        recorder_.write_row(stepper_, report, *backend_);
+        recorder_.write_row(*stepper_, report, *backend_);
         row_due += case_.run.series_interval;
       }
       if (time >= frame_due || is_over || is_stopped) {
@@ -92,9 +92,9 @@ class Simulation {
       if (time < duration && is_over) facts_.reason = "all of the flow has left the map";
       if (is_over || is_stopped) return;
 
-      report = stepper_.step(duration - time);
+      report = stepper_->step(duration - time);
       facts_.top_speed = std::max(facts_.top_speed, report.flow.speed);
-      recorder_.after_step(stepper_.time(), report, backend_->fluid());
+      recorder_.after_step(stepper_->time(), report, backend_->fluid());
       recorder_.after_renewal(domain_);
       tell_progress(report);
     }
@@ -103,7 +103,7 @@ class Simulation {
   /// Writes the state that a run failed in as its last frame, if it can be written at all.
   void show_failure() {
     try {
-      frames_.write(stepper_.time(), backend_->fluid());
+      frames_.write(stepper_->time(), backend_->fluid());
     } catch (const RunError& error) {
       facts_.reason += std::string("; its last frame could not be written: ") + error.what();
     }
@@ -112,10 +112,10 @@ class Simulation {
   void tell_progress(const StepReport& report) {
     if (!options_.on_progress || seconds_since(told_) < 0.2) return;
     told_ = Clock::now();
-    RunProgress progress{stepper_.time(),
+    RunProgress progress{stepper_->time(),
                          case_.run.duration,
                          seconds_since(start_),
-                         stepper_.steps(),
+                         stepper_->steps(),
                          report.dt,
                          backend_->fluid().size(),
                          backend_->boundary().size(),
@@ -132,7 +132,7 @@ class Simulation {
   /// Writes maps, pictures, page and manifest of whatever was reached.
   RunResult conclude() {
     // A state that failed must not leave its mark on the maps.
-    if (facts_.end != RunEnd::failed) recorder_.finish(stepper_.time(), backend_->fluid());
+    if (facts_.end != RunEnd::failed) recorder_.finish(stepper_->time(), backend_->fluid());
     const FlowMaps& flow = recorder_.maps();
     const RunMaps maps{flow.depth(), flow.peak_depth(), flow.peak_speed(), flow.peak_pressure(),
                        flow.arrival_time()};
@@ -167,8 +167,8 @@ class Simulation {
 
   void fill_facts(const RunMaps& maps) {
     facts_.wall = seconds_since(start_);
-    facts_.simulated = stepper_.time();
-    facts_.steps = stepper_.steps();
+    facts_.simulated = stepper_->time();
+    facts_.steps = stepper_->steps();
     facts_.boundary_particles = backend_->boundary().size();
     facts_.sound_speed = model_.state.c0;
     facts_.resolution = resolution_guard(maps.peak_depth, model_.spacing);
@@ -188,7 +188,7 @@ class Simulation {
   const RunFolder& folder_;
   Recorder recorder_;
   Frames frames_;
-  Stepper stepper_;
+  std::unique_ptr<Stepper> stepper_;
   RunFacts facts_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point told_ = start_;

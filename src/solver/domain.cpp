@@ -6,6 +6,13 @@
 #include <vector>
 
 namespace sabo {
+namespace {
+
+// A particle between four of a wall may come as near to it as this, in spacings beyond the surface,
+// without any of the five being nearer to another than particles usually are.
+constexpr double tolerated_depth = 0.1;
+
+}  // namespace
 
 void Domain::update(Particles& fluid, Particles& boundary, double reach) {
   std::vector<std::uint32_t> staying;
@@ -26,6 +33,7 @@ void Domain::update(Particles& fluid, Particles& boundary, double reach) {
 
 void Domain::put_back(Particles& fluid, std::size_t i) {
   const Vec3d way_out = ground_.pushed_out(fluid.position[i]) - fluid.position[i];
+  if (norm(way_out) < tolerated_depth * ground_.spacing()) return;
   fluid.position[i] += way_out;
   // It may slide on, but not back in.
   const double inward = std::min(0.0, dot(fluid.velocity[i], way_out));

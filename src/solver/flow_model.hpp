@@ -3,6 +3,7 @@
 #include "backend/model.hpp"
 #include "case/case.hpp"
 #include "physics/time_step.hpp"
+#include "solver/fast_stepper.hpp"
 
 namespace sabo {
 
@@ -11,7 +12,10 @@ namespace sabo {
 FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
                      double release_depth);
 
-/// Coefficients of the time step that belong to the model.
+/// Coefficients of the time step of the fast method. The sound speed of the model is its lowest.
+FastRule fast_rule(const NumericsCase& numerics, const FlowModel& model);
+
+/// Coefficients of the time step of the method of the paper.
 TimeStepRule time_step_rule(const NumericsCase& numerics, const FlowModel& model);
 
 }  // namespace sabo

@@ -1,45 +1,17 @@
 #include "solver/stepper.hpp"
 
-#include <algorithm>
 #include <string>
 
 #include "base/error.hpp"
 
 namespace sabo {
 
-Stepper::Stepper(Backend& backend, const TimeStepRule& rule, Domain* domain)
-    : backend_(backend), rule_(rule), domain_(domain) {
-  renew_neighbours();
-  backend_.pressure();
-  backend_.extrapolate_to_boundary();
-}
-
 StepReport Stepper::step(double longest) {
-  // dt v is at most CFL h / 10, half of it before the middle of the step.
-  const double half_step = 0.05 * rule_.cfl * rule_.h;
-  if (backend_.neighbours_are_stale(half_step)) renew_neighbours();
-
-  evaluate();
-  StepReport report;
-  report.flow = backend_.extremes();
-  report.dt = std::min(rule_(report.flow).dt, longest);
-
-  backend_.predict(report.dt);
-  evaluate();
-  dissipated_ += report.dt * backend_.dissipation();
-  backend_.correct(report.dt);
-
+  const StepReport report = advance(longest);
   time_ += report.dt;
   ++steps_;
   check_health();
   return report;
-}
-
-void Stepper::evaluate() {
-  backend_.pressure();
-  backend_.strain_and_density_rates();
-  backend_.stress();
-  backend_.momentum();
 }
 
 void Stepper::renew_neighbours() {

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <memory>
 
 #include "backend/backend.hpp"
 #include "physics/time_step.hpp"
@@ -11,15 +12,20 @@ namespace sabo {
 
 /// What a step was like.
 struct StepReport {
-  double dt = 0;      ///< s
-  FlowExtremes flow;  ///< at the start of the step
+  double dt = 0;           ///< s
+  FlowExtremes flow;       ///< at the start of the step
+  double sound_speed = 0;  ///< m/s
+  int iterations = 0;      ///< of the implicit viscosity
 };
 
-/// The paper's time step: predictor-corrector with the rates at the middle of the step.
+/// Carries the state of a backend forward in time: one of the methods.
 class Stepper {
  public:
   /// `domain` may be null: then the boundary is what the caller put there.
-  Stepper(Backend& backend, const TimeStepRule& rule, Domain* domain);
+  Stepper(Backend& backend, Domain* domain) : backend_(backend), domain_(domain) {}
+  Stepper(const Stepper&) = delete;
+  Stepper& operator=(const Stepper&) = delete;
+  virtual ~Stepper() = default;
 
   /// Largest deviation of rho / rho0 from 1 that a run survives.
   static constexpr double density_tolerance = 0.1;
@@ -32,16 +38,20 @@ class Stepper {
   std::size_t steps() const { return steps_; }
   double dissipated() const { return dissipated_; }  ///< heat made by viscosity so far, J
 
- private:
+ protected:
+  /// Moves the state over one step.
+  virtual StepReport advance(double longest) = 0;
+
   void renew_neighbours();
-  void evaluate();
-  void check_health() const;
 
   Backend& backend_;
-  TimeStepRule rule_;
+  double dissipated_ = 0;
+
+ private:
+  void check_health() const;
+
   Domain* domain_;
   double time_ = 0;
-  double dissipated_ = 0;
   std::size_t steps_ = 0;
 };
 

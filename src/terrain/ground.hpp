@@ -37,6 +37,7 @@ class Ground {
   Vec3d pushed_out(const Vec3d& point) const;
 
   const Surface& surface() const { return surface_; }
+  double spacing() const { return settings_.spacing; }  ///< m
   const std::vector<CheckDam>& dams() const { return dams_; }
   std::size_t tile_count() const { return tiles_.size(); }
 

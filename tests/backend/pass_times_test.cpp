@@ -55,7 +55,7 @@ TEST(PassTimes, DoNotOverlapAndCoverTheSteps) {
   layer.model = test::plain_model(0.1, 30, 1);
   layer.period = 16;
   const auto backend = layer.make();
-  Stepper stepper(*backend, layer.rule, nullptr);
+  PaperStepper stepper(*backend, test::rule_of(layer.model), nullptr);
   backend->pass_times().clear();
   const auto start = steady_clock::now();
   for (int k = 0; k < 5; ++k) stepper.step();

@@ -89,7 +89,7 @@ TEST(Domain, HoldsASlideOnASlope) {
     auto backend = make_backend(kind, model);
     test::add_block(backend->fluid(), model, {6, 10, 10, 14, 0, 3});
     for (Vec3d& x : backend->fluid().position) x.z += ground_surface.height(x.x, x.y);
-    Stepper stepper(*backend, test::rule_of(model), &domain);
+    PaperStepper stepper(*backend, test::rule_of(model), &domain);
     while (stepper.time() < 2.5) stepper.step();
     double x = 0;
     for (const Vec3d& p : backend->fluid().position) {

@@ -42,7 +42,7 @@ TEST(Rest, AColumnKeepsItsHydrostaticPressure) {
     Layer layer = still_water(dimension, 20);
     auto backend = layer.make();
     make_hydrostatic(*backend, g, 1.0);
-    Stepper stepper(*backend, layer.rule, nullptr);
+    PaperStepper stepper(*backend, rule_of(layer.model), nullptr);
     while (stepper.time() < (dimension == 2 ? 3 : 0.5)) stepper.step();
     double top = 0, fastest = 0;
     for (std::size_t i = 0; i < backend->fluid().size(); ++i) {
@@ -67,7 +67,7 @@ TEST(Rest, AClosedBoxKeepsItsWater) {
                                  {0, 20, -3, 0, 0, 16},
                                  {0, 20, 10, 13, 0, 16}})
     test::add_block(backend->boundary(), model, wall);
-  Stepper stepper(*backend, rule_of(model), nullptr);
+  PaperStepper stepper(*backend, rule_of(model), nullptr);
   while (stepper.time() < 1) stepper.step();
   EXPECT_EQ(backend->fluid().size(), 2000u);
   for (const Vec3d& x : backend->fluid().position) {
@@ -87,7 +87,7 @@ TEST(Energy, IsAccountedForWhileABlockSlumps) {
   test::add_block(backend->fluid(), model, {-10, 10, 0, 1, 0, 20});
   test::add_block(backend->boundary(), model, {-40, 40, 0, 1, -3, 0});
   make_hydrostatic(*backend, g, 1.0);
-  Stepper stepper(*backend, rule_of(model), nullptr);
+  PaperStepper stepper(*backend, rule_of(model), nullptr);
   const auto energy = [&] { return energy_of(backend->fluid(), model.gravity, model.state); };
   const auto elastic_in_wall = [&] {
     return energy_of(backend->boundary(), model.gravity, model.state).elastic;
@@ -110,7 +110,7 @@ TEST(FreeFall, KeepsToTheParabola) {
     for (Vec3d& v : backend->fluid().velocity) v = {3, 0, 1};
     const Vec3d start = backend->fluid().position[0];
     const std::uint32_t id = backend->fluid().id[0];
-    Stepper stepper(*backend, rule_of(model), nullptr);
+    PaperStepper stepper(*backend, rule_of(model), nullptr);
     while (stepper.time() < 0.5) stepper.step(0.5 - stepper.time());
     int hits = 0;
     for (std::size_t i = 0; i < backend->fluid().size(); ++i) {
@@ -131,7 +131,7 @@ TEST(Stepper, StopsWhenTheDensityLeavesItsRange) {
   for (std::size_t i = 0; i < backend->fluid().size(); ++i)  // implodes at Mach 1
     backend->fluid().velocity[i] =
         -10.0 * (backend->fluid().position[i] - Vec3d{0.2, 0.2, 0.2}) * 5.0;
-  Stepper stepper(*backend, rule_of(model), nullptr);
+  PaperStepper stepper(*backend, rule_of(model), nullptr);
   EXPECT_THROW(for (int k = 0; k < 200; ++k) stepper.step(), RunError);
 }
 
@@ -140,7 +140,7 @@ TEST(Stepper, StopsOnANumberThatIsNone) {
   for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
     auto backend = make_backend(kind, model);
     test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
-    Stepper stepper(*backend, rule_of(model), nullptr);
+    PaperStepper stepper(*backend, rule_of(model), nullptr);
     stepper.step();
     backend->fluid().velocity[7].y = std::nan("");
     EXPECT_THROW(stepper.step(), RunError);

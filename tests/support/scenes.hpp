@@ -8,8 +8,10 @@
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "case/numerics_case.hpp"
+#include "solver/fast_stepper.hpp"
 #include "solver/make_backend.hpp"
-#include "solver/stepper.hpp"
+#include "solver/paper_stepper.hpp"
 
 namespace sabo::test {
 
@@ -42,6 +44,24 @@ inline TimeStepRule rule_of(const FlowModel& model) {
           default_viscous_cfl(model.viscous_operator, model.as_printed)};
 }
 
+/// The rule of the fast method, for a model set up by hand.
+inline FastRule fast_rule_of(const FlowModel& model) {
+  FastRule rule;
+  rule.h = model.h;
+  rule.slowest_sound = model.state.c0;
+  return rule;
+}
+
+/// A stepper of either method for a model set up by hand.
+inline std::unique_ptr<Stepper> stepper_of(Method method, Backend& backend,
+                                           Domain* domain = nullptr) {
+  if (method == Method::fast)
+    return std::make_unique<FastStepper>(backend, fast_rule_of(backend.model()), domain);
+  return std::make_unique<PaperStepper>(backend, rule_of(backend.model()), domain);
+}
+
+inline constexpr Method both_methods[] = {Method::fast, Method::paper};
+
 /// Fills the cells [from, to) of the lattice with spacing dp, one particle at each centre. In two
 /// dimensions y = 0.
 struct Cells {
@@ -63,8 +83,6 @@ struct Layer {
   int cells = 10;
   int period = 8;  ///< in cells
   bool has_lid = false;
-  TimeStepRule rule{};
-
   std::unique_ptr<Backend> make(BackendKind kind = BackendKind::cpu) {
     const double dp = model.spacing;
     model.periodic.period[0] = {period * dp, 0, 0};
@@ -75,7 +93,6 @@ struct Layer {
     add_block(backend->boundary(), model, {0, period, 0, period, -layers, 0});
     if (has_lid)
       add_block(backend->boundary(), model, {0, period, 0, period, cells, cells + layers});
-    rule = rule_of(model);
     return backend;
   }
 };

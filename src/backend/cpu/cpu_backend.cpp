@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <numeric>
 #include <string>
 
 #include "backend/cpu/neighbour_search.hpp"
+#include "backend/cpu/parallel_blocks.hpp"
 #include "base/error.hpp"
 
 namespace sabo {
@@ -13,19 +15,7 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
-/// Half-open range of particle indices.
-struct Range {
-  std::size_t first, last;
-};
-
-/// Runs f(range) over fixed blocks of [0, count) on all threads.
-template <class F>
-void parallel_blocks(std::size_t count, int threads, const F& f) {
-  constexpr std::size_t block = 128;
-  const Index blocks = static_cast<Index>((count + block - 1) / block);
-#pragma omp parallel for num_threads(threads) schedule(dynamic, 1)
-  for (Index b = 0; b < blocks; ++b) f(Range{b * block, std::min(count, (b + 1) * block)});
-}
+constexpr std::size_t sweep_block = 128;
 
 }  // namespace
 
@@ -54,6 +44,9 @@ void CpuBackend::list_pairs() {
   }
   listed_position_ = fluid_.position;
   set_scale();
+  awake_.resize(fluid_.size());
+  std::iota(awake_.begin(), awake_.end(), 0U);
+  prepare_near();
 }
 
 void CpuBackend::fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const {
@@ -89,6 +82,7 @@ void CpuBackend::set_scale() {
   scale_.hydrostatic = {float(background.x), float(background.y), float(background.z)};
   scale_.wall_velocity_factor = float(model_.wall_velocity_factor());
   scale_.alpha_c0_h = float(model_.artificial_viscosity * model_.state.c0 * model_.h);
+  scale_.dimension = model_.dimension;
   scale_.two_point_viscosity = model_.viscous_operator == ViscousOperator::morris;
 }
 
@@ -167,7 +161,7 @@ void CpuBackend::pack_stress() {
 void CpuBackend::strain_and_density_rates() {
   pack_motion();
   const PassClock clock(pass_times_, "motion sweep", fluid_pairs_ + boundary_pairs_);
-  parallel_blocks(motion_.size(), threads(), [&](Range range) {
+  parallel_blocks(motion_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.motion({&scale_, &list_, motion_.data(), fluid_.size(), range.first, range.last,
                     strain_.data(), density_rate_.data()});
   });
@@ -176,7 +170,7 @@ void CpuBackend::strain_and_density_rates() {
 void CpuBackend::momentum() {
   pack_stress();
   const PassClock clock(pass_times_, "force sweep", fluid_pairs_);
-  parallel_blocks(fluid_.size(), threads(), [&](Range range) {
+  parallel_blocks(fluid_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last, model_.gravity,
                    acceleration_.data(), pressure_power_.data()});
   });

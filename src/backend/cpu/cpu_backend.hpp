@@ -1,11 +1,13 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "backend/cpu/pair_list.hpp"
 #include "backend/cpu/pair_sweeps.hpp"
 #include "backend/cpu/records.hpp"
 #include "backend/host_backend.hpp"
+#include "backend/velocity_step.hpp"
 
 namespace sabo {
 
@@ -19,6 +21,10 @@ class CpuBackend : public HostBackend {
   double list_radius() const override { return model_.kernel_radius() + skin_; }
   void strain_and_density_rates() override;
   void momentum() override;
+  void wall_pressure() override;
+  void near_forces() override;
+  ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) override;
+  void near_motion() override;
 
  protected:
   void list_pairs() override;
@@ -28,6 +34,9 @@ class CpuBackend : public HostBackend {
   void set_scale();
   void pack_motion();
   void pack_stress();
+  void prepare_near();
+  void pack_flow(const Particles& particles, std::size_t i, FlowRecord& record) const;
+  void pack_motion(const Particles& particles, std::size_t i, std::size_t at);
 
   const PairSweeps& sweeps_;
   double skin_;
@@ -39,6 +48,15 @@ class CpuBackend : public HostBackend {
   std::size_t boundary_pairs_ = 0;  // listed by boundary particles
   std::vector<MotionRecord> motion_;
   std::vector<StressRecord> stress_records_;
+
+  // Of the implicit method.
+  std::vector<std::uint32_t> touched_walls_;  // boundary rows of the list that are not empty
+  std::vector<std::size_t> chunk_rows_;       // where each chunk of the list begins in awake_
+  std::vector<FlowRecord> flow_;
+  std::vector<float> wall_pressure_;
+  NearPairs near_;
+  VelocityStep<float> velocity_step_;
+  std::vector<std::array<double, 3>> dots_;
 };
 
 }  // namespace sabo

@@ -21,12 +21,20 @@ class PairList {
     const std::uint32_t* end;
   };
 
+  /// Where a row begins in its chunk, where its boundary part does, and where it ends.
+  struct Offsets {
+    std::uint32_t fluid = 0, boundary = 0, end = 0;
+    std::uint32_t padding = 0;  ///< entries of both runs that are no pairs
+  };
+
   void reset(std::size_t particles) {
     rows_.resize(particles);
     chunks_.resize((particles + chunk - 1) / chunk);
   }
 
   std::size_t chunk_count() const { return chunks_.size(); }
+  /// Entries stored for chunk c.
+  std::size_t chunk_length(std::size_t c) const { return chunks_[c].size(); }
   std::size_t size() const { return rows_.size(); }
   Row row(std::size_t i) const {
     const std::uint32_t* base = chunks_[i / chunk].data();
@@ -61,11 +69,6 @@ class PairList {
   }
 
  private:
-  struct Offsets {
-    std::uint32_t fluid, boundary, end;
-    std::uint32_t padding;  // entries of both runs that are no pairs
-  };
-
   /// Returns how many entries it appended.
   static std::uint32_t pad(std::vector<std::uint32_t>& list, std::size_t start, std::size_t self) {
     const std::size_t before = list.size();

@@ -4,8 +4,12 @@
 #include <cstdint>
 #include <vector>
 
+#include "backend/cpu/near_pairs.hpp"
 #include "backend/cpu/pair_list.hpp"
 #include "backend/cpu/records.hpp"
+#include "backend/filling.hpp"
+#include "backend/wall_share.hpp"
+#include "math/quad.hpp"
 #include "math/sym3.hpp"
 #include "math/vec3.hpp"
 
@@ -26,6 +30,7 @@ struct PairScale {
   float wall_velocity_factor = 1;
   float alpha_c0_h = 0;  ///< of artificial viscosity, m2/s
   bool two_point_viscosity = false;
+  int dimension = 3;
 };
 
 /// What a sweep works on: particles [first, last), their neighbours and their records.
@@ -48,13 +53,72 @@ struct ForceTask {
   double* pressure_power;  ///< out, W/kg
 };
 
-/// The two sums over pairs that take nearly all of the time, for one instruction set.
+/// Pressure at boundary particles from the fluid near them (Adami et al. 2012, Eq. 27).
+struct WallPressureTask {
+  const PairScale* scale;
+  const PairList* list;
+  const FlowRecord* records;
+  const std::uint32_t* rows;  ///< boundary particles, counted from the first fluid one
+  std::size_t first, last;    ///< range of `rows`
+  Vec3f gravity;
+  float* pressure;  ///< out, by place in `rows`, Pa; 0 where no fluid is near
+};
+
+/// Acceleration by gravity and pressure, the viscous matrix and where the walls are.
+struct NearForceTask {
+  const PairScale* scale;
+  const PairList* list;
+  const FlowRecord* records;
+  const MotionRecord* motion;  ///< read for artificial viscosity and moving walls only
+  bool needs_motion;
+  const std::uint32_t* rows;  ///< particles to work on
+  std::size_t first, last;    ///< range of `rows`, all of one chunk
+  Vec3d gravity;
+  NearPairs::Writer* near;  ///< out
+  Vec3d* acceleration;      ///< out, this and those below by particle
+  float* conductance_sum;   ///< kg/s
+  Filling* filling;
+  WallShare* wall;
+};
+
+/// Strain rate and density rate of fluid particles over the near pairs.
+struct NearMotionTask {
+  const PairScale* scale;
+  const NearPairs* near;
+  const MotionRecord* records;
+  const Vec3d* background;  ///< by particle: density gradient that diffusion leaves alone, 1/m
+  const Vec3d* wall_slope;  ///< by particle: normal of the wall over the distance to it, 1/m
+  const std::uint32_t* rows;
+  std::size_t first, last;
+  Sym3<double>* strain;  ///< out, of the whole kernel even where a part of it is empty
+  double* density_rate;  ///< out
+  double* support;       ///< out, filled share of the kernel: 1 inside, about 1/2 at a surface
+};
+
+/// q = m p + dt (sum_j a_ij (p_i - p_j) + drag p).
+struct ViscousProductTask {
+  const NearPairs* near;
+  const std::uint32_t* rows;
+  std::size_t first, last;
+  const Quad<float>* p;
+  const float* mass;
+  const float* drag;  ///< of the walls, kg/s
+  float dt;
+  Quad<float>* q;  ///< out
+  double dot[3];   ///< out, p.q of the range by component
+};
+
+/// The sums over pairs that take nearly all of the time, for one instruction set.
 struct PairSweeps {
   const char* instruction_set;
   /// Strain rate and density rate; of boundary particles only fluid neighbours are listed.
   void (*motion)(const MotionTask&);
   /// Gravity and the acceleration by pressure and viscosity.
   void (*force)(const ForceTask&);
+  void (*wall_pressure)(const WallPressureTask&);
+  void (*near_force)(const NearForceTask&);
+  void (*near_motion)(const NearMotionTask&);
+  void (*viscous_product)(ViscousProductTask&);
 };
 
 /// The sweeps for every instruction set this machine has, the widest last.

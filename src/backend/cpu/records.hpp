@@ -27,4 +27,15 @@ struct alignas(64) StressRecord {
 };
 static_assert(sizeof(StressRecord) == 64);
 
+/// For the sweeps of the implicit method, which needs no stress tensor.
+struct alignas(32) FlowRecord {
+  std::int32_t x, y, z;
+  float mass;       ///< kg
+  float pressure;   ///< p / rho^2
+  float volume;     ///< m / rho0, m3: what it was laid out with, whatever its pressure
+  float viscosity;  ///< Pa s, already times the strain convention
+  float density;    ///< kg/m3
+};
+static_assert(sizeof(FlowRecord) == 32);
+
 }  // namespace sabo

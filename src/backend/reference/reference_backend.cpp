@@ -1,5 +1,7 @@
 #include "backend/reference/reference_backend.hpp"
 
+#include <numeric>
+
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
@@ -29,22 +31,19 @@ double ReferenceBackend::mass(std::size_t k) const {
   return k < fluid_.size() ? fluid_.mass[k] : boundary_.mass[k - fluid_.size()];
 }
 
-template <class F>
-void ReferenceBackend::for_each_neighbour(std::size_t i, bool fluid_only, const F& f) const {
-  const auto kernel = model_.kernel<double>();
-  const double radius = model_.kernel_radius();
-  const std::size_t count = fluid_only ? fluid_.size() : fluid_.size() + boundary_.size();
-  for (std::size_t j = 0; j < count; ++j) {
-    if (j == i) continue;
-    const Vec3d x = model_.periodic.nearest(position(i) - position(j));
-    if (dot(x, x) < radius * radius) f(j, pair_geometry(x, kernel));
-  }
+double ReferenceBackend::pressure_term(std::size_t k) const {
+  const std::size_t fluids = fluid_.size();
+  const double p = k < fluids ? fluid_.pressure[k] : boundary_.pressure[k - fluids];
+  return p / (density(k) * density(k));
 }
 
 void ReferenceBackend::list_pairs() {
   has_neighbours_.assign(fluid_.size(), 0);
   for (std::size_t i = 0; i < fluid_.size(); ++i)
     for_each_neighbour(i, false, [&](std::size_t, const auto&) { has_neighbours_[i] = 1; });
+  awake_.resize(fluid_.size());
+  std::iota(awake_.begin(), awake_.end(), 0U);
+  velocity_step_.reset(fluid_.size());
 }
 
 void ReferenceBackend::fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const {
@@ -84,10 +83,6 @@ void ReferenceBackend::momentum() {
   for (std::size_t i = 0; i < fluids; ++i) {
     Vec3d a = model_.gravity;
     double power = 0;
-    const auto pressure_term = [&](std::size_t k) {
-      const double p = k < fluids ? fluid_.pressure[k] : boundary_.pressure[k - fluids];
-      return p / (density(k) * density(k));
-    };
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);
       a += stress_force(pair, stress_[i], stress_[j], mass(j));

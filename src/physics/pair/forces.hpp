@@ -14,6 +14,12 @@ SABO_HD inline Vec3<T> stress_force(const PairGeometry<T>& pair, const Sym3<T>& 
   return (mass_j * pair.gradient) * ((s_i + s_j) * pair.x);
 }
 
+/// Pressure force alone, m/s2: - m_j (P_i + P_j) grad_i W_ij with P = p / rho^2 (paper Eq. 13).
+template <class T>
+SABO_HD inline Vec3<T> pressure_force(const PairGeometry<T>& pair, T p_i, T p_j, T mass_j) {
+  return (-mass_j * pair.gradient * (p_i + p_j)) * pair.x;
+}
+
 /// Power of the pressure in Eq. 13, W/kg: v_i times its acceleration, from P = p / rho^2 of both.
 template <class T>
 SABO_HD inline T pressure_power(const PairGeometry<T>& pair, const Vec3<T>& v_i, T p_i, T p_j,
@@ -36,6 +42,14 @@ SABO_HD inline Vec3<T> morris_force(const PairGeometry<T>& pair, const Vec3<T>& 
   const T damping =
       T(2) * mu_ij * mass_j_over_densities * pair.gradient * pair.r2 / (pair.r2 + eta2);
   return damping * v_ij;
+}
+
+/// The same force as an entry of the symmetric matrix of the implicit solve, kg/s: i gains the
+/// momentum -a_ij v_ij per time. Positive.
+template <class T>
+SABO_HD inline T viscous_conductance(const PairGeometry<T>& pair, T mu_ij, T volume_i, T volume_j,
+                                     T eta2) {
+  return T(-2) * mu_ij * (volume_i * volume_j) * pair.gradient * pair.r2 / (pair.r2 + eta2);
 }
 
 /// Artificial viscosity (Monaghan 1992), m/s2: - m_j Pi_ij grad W with

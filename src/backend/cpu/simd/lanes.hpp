@@ -32,6 +32,10 @@ struct Lanes {
   friend Lanes round(const Lanes& a) { return hn::Round(a.v); }
   friend Lanes larger(const Lanes& a, const Lanes& b) { return hn::Max(a.v, b.v); }
   friend Lanes smaller(const Lanes& a, const Lanes& b) { return hn::Min(a.v, b.v); }
+  /// 1 where a > 0, else 0.
+  friend Lanes positive(const Lanes& a) {
+    return hn::IfThenElseZero(hn::Gt(a.v, hn::Zero(Tag())), hn::Set(Tag(), 1.0f));
+  }
   friend float sum(const Lanes& a) { return hn::GetLane(hn::SumOfLanes(Tag(), a.v)); }
 };
 

@@ -1,0 +1,147 @@
+#include <algorithm>
+#include <cmath>
+
+#include "backend/cpu/cpu_backend.hpp"
+#include "backend/cpu/parallel_blocks.hpp"
+
+// The pair sweeps of the implicit method.
+
+namespace sabo {
+namespace {
+
+constexpr std::size_t row_block = 128;
+
+}  // namespace
+
+/// What the implicit sweeps keep between two renewals of the neighbour list.
+void CpuBackend::prepare_near() {
+  const std::size_t fluids = fluid_.size();
+  near_.reset(fluids);
+  velocity_step_.reset(fluids);
+  flow_.resize(fluids + boundary_.size());
+  motion_.resize(fluids + boundary_.size());
+  touched_walls_.clear();
+  for (std::size_t b = fluids; b < list_.size(); ++b) {
+    const PairList::Row row = list_.row(b);
+    if (row.fluid != row.boundary) touched_walls_.push_back(static_cast<std::uint32_t>(b));
+  }
+  wall_pressure_.resize(touched_walls_.size());
+  chunk_rows_.assign(1, 0);
+  for (std::size_t c = 0; c * PairList::chunk < fluids; ++c) {
+    const auto end = std::lower_bound(awake_.begin(), awake_.end(), (c + 1) * PairList::chunk);
+    chunk_rows_.push_back(static_cast<std::size_t>(end - awake_.begin()));
+  }
+}
+
+void CpuBackend::pack_flow(const Particles& particles, std::size_t i, FlowRecord& record) const {
+  const Vec3d x = (1.0 / scale_.unit) * (particles.position[i] - centre_);
+  const double rho = particles.density[i];
+  record = {static_cast<std::int32_t>(std::lrint(x.x)),
+            static_cast<std::int32_t>(std::lrint(x.y)),
+            static_cast<std::int32_t>(std::lrint(x.z)),
+            float(particles.mass[i]),
+            float(particles.pressure[i] / (rho * rho)),
+            float(particles.mass[i] / model_.state.rho0),
+            float(model_.strain_convention() * particles.viscosity[i]),
+            float(rho)};
+}
+
+/// After pack_flow of the same particle.
+void CpuBackend::pack_motion(const Particles& particles, std::size_t i, std::size_t at) {
+  const FlowRecord& place = flow_[at];
+  const Vec3d& v = particles.velocity[i];
+  motion_[at] = {place.x,
+                 place.y,
+                 place.z,
+                 float(v.x),
+                 float(v.y),
+                 float(v.z),
+                 float(particles.density[i] / model_.state.rho0 - 1),
+                 float(particles.mass[i] / particles.density[i])};
+}
+
+void CpuBackend::wall_pressure() {
+  const PassClock clock(pass_times_, "wall pressure", boundary_pairs_);
+  const std::size_t fluids = fluid_.size();
+  over(fluids, threads(), [&](std::size_t i) { pack_flow(fluid_, i, flow_[i]); });
+  // Until their pressure is known the records of boundary particles are of use for their place.
+  const auto pack_wall = [&](std::size_t at) { pack_flow(boundary_, at - fluids, flow_[at]); };
+  over_rows(touched_walls_, threads(), pack_wall);
+  const Vec3f gravity{float(model_.gravity.x), float(model_.gravity.y), float(model_.gravity.z)};
+  parallel_blocks(touched_walls_.size(), row_block, threads(), [&](Range range) {
+    sweeps_.wall_pressure({&scale_, &list_, flow_.data(), touched_walls_.data(), range.first,
+                           range.last, gravity, wall_pressure_.data()});
+  });
+  over(touched_walls_.size(), threads(), [&](std::size_t k) {
+    const std::size_t b = touched_walls_[k] - fluids;
+    // A wall does not pull.
+    boundary_.pressure[b] = std::max(0.0, double(wall_pressure_[k]));
+    boundary_.density[b] = model_.state.density(boundary_.pressure[b]);
+    pack_wall(touched_walls_[k]);
+  });
+}
+
+void CpuBackend::near_forces() {
+  const bool needs_motion = model_.artificial_viscosity > 0 || model_.walls_move;
+  if (needs_motion) {
+    over(fluid_.size(), threads(), [&](std::size_t i) { pack_motion(fluid_, i, i); });
+    over_rows(touched_walls_, threads(),
+              [&](std::size_t at) { pack_motion(boundary_, at - fluid_.size(), at); });
+  }
+  scale_.alpha_c0_h = float(model_.artificial_viscosity * model_.state.c0 * model_.h);
+  const PassClock clock(pass_times_, "force and matrix", fluid_pairs_);
+  parallel_blocks(chunk_rows_.size() - 1, 1, threads(), [&](Range chunk) {
+    NearPairs::Writer writer(near_, chunk.first, list_.chunk_length(chunk.first));
+    sweeps_.near_force({&scale_, &list_, flow_.data(), motion_.data(), needs_motion, awake_.data(),
+                        chunk_rows_[chunk.first], chunk_rows_[chunk.last], model_.gravity, &writer,
+                        acceleration_.data(), velocity_step_.conductance_sum.data(),
+                        filling_.data(), wall_share_.data()});
+  });
+}
+
+ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
+  const PassClock clock(pass_times_, "viscous solve");
+  const std::size_t blocks = (awake_.size() + row_block - 1) / row_block;
+  dots_.assign(blocks, {});
+  const auto multiply = [&](const std::vector<float>& mass, const std::vector<float>& drag) {
+    auto& solver = velocity_step_.solver;
+    pass_times_["viscous solve"].pairs += near_.size();
+    parallel_blocks(awake_.size(), row_block, threads(), [&](Range range) {
+      ViscousProductTask task{&near_,
+                              awake_.data(),
+                              range.first,
+                              range.last,
+                              solver.direction.data(),
+                              mass.data(),
+                              drag.data(),
+                              float(dt),
+                              solver.product.data(),
+                              {0, 0, 0}};
+      sweeps_.viscous_product(task);
+      dots_[range.first / row_block] = {task.dot[0], task.dot[1], task.dot[2]};
+    });
+    VelocityStep<float>::Dot sum{};
+    for (const auto& dot : dots_)
+      for (int c = 0; c < 3; ++c) sum[c] += dot[c];
+    return sum;
+  };
+  return velocity_step_.advance({fluid_, awake_, acceleration_, wall_share_, wall_drag_, dt,
+                                 tolerance, most_iterations, threads()},
+                                multiply);
+}
+
+void CpuBackend::near_motion() {
+  scale_.two_zeta_h_c0 = float(2 * model_.density_diffusion * model_.h * model_.state.c0);
+  find_diffusion_background();
+  const PassClock clock(pass_times_, "near motion", near_.size());
+  over(fluid_.size(), threads(), [&](std::size_t i) { pack_motion(fluid_, i, i); });
+  over_rows(touched_walls_, threads(),
+            [&](std::size_t at) { pack_motion(boundary_, at - fluid_.size(), at); });
+  parallel_blocks(awake_.size(), row_block, threads(), [&](Range range) {
+    sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), wall_slope_.data(),
+                         awake_.data(), range.first, range.last, strain_.data(),
+                         density_rate_.data(), support_.data()});
+  });
+}
+
+}  // namespace sabo

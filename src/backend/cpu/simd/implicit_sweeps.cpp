@@ -1,0 +1,254 @@
+// Compiled once for each instruction set, as pair_sweeps.cpp is.
+
+#include "backend/cpu/simd/implicit_sweeps.hpp"
+
+#include <algorithm>
+
+#include "backend/cpu/simd/pair_constants.hpp"
+#include "physics/pair/density.hpp"
+#include "physics/pair/forces.hpp"
+#include "physics/pair/strain_rate.hpp"
+
+namespace sabo {
+namespace HWY_NAMESPACE {
+namespace {
+
+template <bool periodic>
+HWY_INLINE Vec separation_from(const Constants& s, const FlowRecord& me, const Columns& j) {
+  const std::int32_t place[3] = {me.x, me.y, me.z};
+  return separation<periodic>(s, place, j);
+}
+
+HWY_INLINE Columns flow_records(const FlowRecord* records, const std::uint32_t* k) {
+  return load_transposed(reinterpret_cast<const float*>(records), 8, 0, k);
+}
+HWY_INLINE Columns motion_records(const MotionRecord* records, const std::uint32_t* k) {
+  return load_transposed(reinterpret_cast<const float*>(records), 8, 0, k);
+}
+
+template <bool periodic>
+void wall_pressure_range(const WallPressureTask& task) {
+  const Constants s(*task.scale);
+  const Vec gravity{Lanes(task.gravity.x), Lanes(task.gravity.y), Lanes(task.gravity.z)};
+  for (std::size_t place = task.first; place < task.last; ++place) {
+    const std::size_t i = task.rows[place];
+    const PairList::Row row = task.list->row(i);
+    const FlowRecord& me = task.records[i];
+    Lanes weight, pressure;
+    for (const std::uint32_t* k = row.fluid; k != row.boundary; k += Lanes::count) {
+      const Columns j = flow_records(task.records, k);
+      const Vec x = separation_from<periodic>(s, me, j);
+      const Lanes r2 = dot(x, x), density = j[7];
+      // Rows are padded with the particle itself, which has no say in its own pressure.
+      const Lanes w = s.kernel.value(sqrt(r2)) * positive(r2);
+      weight += w;
+      pressure += w * density * (j[4] * density + dot(gravity, x));
+    }
+    const float total = sum(weight);
+    task.pressure[place] = total > 0 ? sum(pressure) / total : 0;
+  }
+}
+
+struct NearForceSums {
+  Vec acceleration;
+  Lanes conductance;
+  Lanes filling;
+  Vec filling_gradient;
+  Lanes share;
+  Vec gradient, wall_velocity;
+};
+
+template <bool periodic, bool with_motion>
+HWY_INLINE void add_fluid_forces(const Constants& s, const NearForceTask& task, std::size_t i,
+                                 const PairList::Row& row, NearForceSums& sums) {
+  const hn::RebindToUnsigned<Lanes::Tag> indices;
+  const FlowRecord& me = task.records[i];
+  const Lanes pressure(me.pressure), volume(me.volume), viscosity(me.viscosity);
+  const Lanes density(me.density);
+  for (const std::uint32_t* k = row.fluid; k != row.boundary; k += Lanes::count) {
+    const Columns j = flow_records(task.records, k);
+    const auto pair = pair_geometry(separation_from<periodic>(s, me, j), s.kernel);
+    sums.acceleration += pressure_force(pair, pressure, j[4], j[3]);
+    const Lanes a =
+        viscous_conductance(pair, pair_viscosity(viscosity, j[6]), volume, j[5], s.eta2);
+    sums.conductance += a;
+    sums.filling += j[5] * s.kernel.value(sqrt(pair.r2)) * positive(pair.r2);
+    sums.filling_gradient += (j[5] * pair.gradient) * pair.x;
+    if constexpr (with_motion) {
+      const Columns m = motion_records(task.motion, k);
+      const MotionRecord& mine = task.motion[i];
+      const Vec v = Vec{Lanes(mine.vx), Lanes(mine.vy), Lanes(mine.vz)} - Vec{m[3], m[4], m[5]};
+      sums.acceleration +=
+          artificial_force(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
+    }
+    const auto is_near = hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag()));
+    const std::size_t count = hn::CompressStore(
+        hn::LoadU(indices, k), hn::RebindMask(indices, is_near), indices, task.near->index());
+    hn::CompressStore(a.v, is_near, Lanes::Tag(), task.near->conductance());
+    task.near->advance(count);
+  }
+}
+
+template <bool periodic, bool with_motion>
+HWY_INLINE void add_wall_forces(const Constants& s, const NearForceTask& task, std::size_t i,
+                                const PairList::Row& row, NearForceSums& sums) {
+  const hn::RebindToUnsigned<Lanes::Tag> indices;
+  const FlowRecord& me = task.records[i];
+  const Lanes pressure(me.pressure);
+  const Lanes density(me.density);
+  for (const std::uint32_t* k = row.boundary; k != row.end; k += Lanes::count) {
+    const Columns j = flow_records(task.records, k);
+    const auto pair = pair_geometry(separation_from<periodic>(s, me, j), s.kernel);
+    sums.acceleration += pressure_force(pair, pressure, j[4], j[3]);
+    const Lanes part = j[5] * s.kernel.value(sqrt(pair.r2)) * positive(pair.r2);
+    sums.share += part;
+    sums.gradient += (j[5] * pair.gradient) * pair.x;
+    if constexpr (with_motion) {
+      const Columns m = motion_records(task.motion, k);
+      const MotionRecord& mine = task.motion[i];
+      const Vec wall{m[3], m[4], m[5]};
+      sums.wall_velocity += part * wall;
+      const Vec v = Vec{Lanes(mine.vx), Lanes(mine.vy), Lanes(mine.vz)} - wall;
+      sums.acceleration +=
+          artificial_force(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
+    }
+    const auto is_near = hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag()));
+    task.near->advance(hn::CompressStore(hn::LoadU(indices, k), hn::RebindMask(indices, is_near),
+                                         indices, task.near->index()));
+  }
+}
+
+template <bool periodic, bool with_motion>
+void near_force_range(const NearForceTask& task) {
+  const Constants s(*task.scale);
+  const float own = task.scale->kernel_alpha;  // W(0)
+  for (std::size_t k = task.first; k < task.last; ++k) {
+    const std::size_t i = task.rows[k];
+    const PairList::Row row = task.list->row(i);
+    NearForceSums sums;
+    task.near->begin_row(i);
+    add_fluid_forces<periodic, with_motion>(s, task, i, row, sums);
+    task.near->end_fluid();
+    if (row.boundary != row.end) add_wall_forces<periodic, with_motion>(s, task, i, row, sums);
+    task.near->end_row();
+    const Vec& a = sums.acceleration;
+    const Vec& n = sums.gradient;
+    const Vec& w = sums.wall_velocity;
+    task.acceleration[i] = task.gravity + Vec3d{sum(a.x), sum(a.y), sum(a.z)};
+    task.conductance_sum[i] = sum(sums.conductance);
+    const float share = sum(sums.share);
+    const Vec full = sums.filling_gradient + n;
+    task.filling[i] = {own * task.records[i].volume + sum(sums.filling) + share,
+                       {sum(full.x), sum(full.y), sum(full.z)}};
+    task.wall[i] = {share, {sum(n.x), sum(n.y), sum(n.z)}, {sum(w.x), sum(w.y), sum(w.z)}};
+  }
+}
+
+struct NearMotionSums {
+  Sym3<Lanes> eps;
+  Lanes rate;
+  Lanes support;
+};
+
+template <bool periodic>
+HWY_INLINE void add_near_motion(const Constants& s, const NearMotionTask& task, std::size_t i,
+                                const NearPairs::Row& row, NearMotionSums& sums) {
+  const MotionRecord& me = task.records[i];
+  const std::int32_t place[3] = {me.x, me.y, me.z};
+  const Vec velocity{Lanes(me.vx), Lanes(me.vy), Lanes(me.vz)};
+  const Lanes excess(me.excess);
+  const Vec3d& b = task.background[i];
+  DensityDiffusion<Lanes> diffusion = s.diffusion;
+  diffusion.hydrostatic = {Lanes(float(b.x)), Lanes(float(b.y)), Lanes(float(b.z))};
+  for (const std::uint32_t* k = row.fluid; k != row.boundary; k += Lanes::count) {
+    const Columns j = motion_records(task.records, k);
+    const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
+    const Vec v = velocity - Vec{j[3], j[4], j[5]};
+    const Lanes mass_j = j[7] * (s.rho0 + s.rho0 * j[6]);
+    sums.rate += continuity(pair, v, mass_j) + diffusion(pair, excess, j[6], mass_j);
+    sums.eps += strain_rate(pair, v, j[7]);
+    sums.support += j[7] * pair.gradient * pair.r2;
+  }
+  if (row.boundary == row.end) return;
+  const Vec3d& n = task.wall_slope[i];
+  const Vec slope{Lanes(float(n.x)), Lanes(float(n.y)), Lanes(float(n.z))};
+  for (const std::uint32_t* k = row.boundary; k != row.end; k += Lanes::count) {
+    const Columns j = motion_records(task.records, k);
+    const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
+    const Vec v = velocity - Vec{j[3], j[4], j[5]};
+    const Lanes mass_j = j[7] * (s.rho0 + s.rho0 * j[6]);
+    sums.rate += continuity(pair, v, mass_j);
+    // The flow goes on into the wall as it comes from it, through the wall's velocity at the wall
+    // (Morris et al. 1997): the difference grows with the distance along the normal.
+    sums.eps += strain_rate(pair, larger(dot(slope, pair.x), Lanes(0.0f)) * v, j[7]);
+    sums.support += j[7] * pair.gradient * pair.r2;
+  }
+}
+
+template <bool periodic>
+void near_motion_range(const NearMotionTask& task) {
+  const Constants s(*task.scale);
+  const float per_dimension = -1.0f / static_cast<float>(task.scale->dimension);
+  for (std::size_t k = task.first; k < task.last; ++k) {
+    const std::size_t i = task.rows[k];
+    NearMotionSums sums;
+    add_near_motion<periodic>(s, task, i, task.near->row(i), sums);
+    const float support = per_dimension * sum(sums.support);
+    // Where a part of the kernel is empty every derivative comes out too small by about that part.
+    const double scale = 1 / std::max(0.4f, support);
+    const Sym3<Lanes>& e = sums.eps;
+    task.strain[i] =
+        scale * Sym3<double>{sum(e.xx), sum(e.xy), sum(e.xz), sum(e.yy), sum(e.yz), sum(e.zz)};
+    task.density_rate[i] = sum(sums.rate);
+    task.support[i] = support;
+  }
+}
+
+}  // namespace
+
+void wall_pressure(const WallPressureTask& task) {
+  task.scale->periodic ? wall_pressure_range<true>(task) : wall_pressure_range<false>(task);
+}
+
+void near_force(const NearForceTask& task) {
+  if (task.needs_motion)
+    task.scale->periodic ? near_force_range<true, true>(task) : near_force_range<false, true>(task);
+  else
+    task.scale->periodic ? near_force_range<true, false>(task)
+                         : near_force_range<false, false>(task);
+}
+
+void near_motion(const NearMotionTask& task) {
+  task.scale->periodic ? near_motion_range<true>(task) : near_motion_range<false>(task);
+}
+
+void viscous_product(ViscousProductTask& task) {
+  // One neighbour at a time with its three components side by side: a row needs no transposition.
+  const hn::FixedTag<float, 4> quad;
+  const auto vector = [&](const Quad<float>& r) { return hn::Load(quad, &r.x); };
+  double dot[3] = {0, 0, 0};
+  for (std::size_t r = task.first; r < task.last; ++r) {
+    const std::size_t i = task.rows[r];
+    const NearPairs::Row row = task.near->row(i);
+    const std::size_t count = static_cast<std::size_t>(row.boundary - row.fluid);
+    const auto mine = vector(task.p[i]);
+    auto even = hn::Zero(quad), odd = hn::Zero(quad);
+    for (std::size_t k = 0; k < count; k += 2) {
+      even = hn::MulAdd(hn::Set(quad, row.conductance[k]),
+                        hn::Sub(mine, vector(task.p[row.fluid[k]])), even);
+      odd = hn::MulAdd(hn::Set(quad, row.conductance[k + 1]),
+                       hn::Sub(mine, vector(task.p[row.fluid[k + 1]])), odd);
+    }
+    const auto flow = hn::MulAdd(hn::Set(quad, task.drag[i]), mine, hn::Add(even, odd));
+    const auto q =
+        hn::MulAdd(hn::Set(quad, task.dt), flow, hn::Mul(hn::Set(quad, task.mass[i]), mine));
+    hn::Store(q, quad, &task.q[i].x);
+    dot[0] += static_cast<double>(task.p[i].x) * task.q[i].x;
+    dot[1] += static_cast<double>(task.p[i].y) * task.q[i].y;
+    dot[2] += static_cast<double>(task.p[i].z) * task.q[i].z;
+  }
+  std::copy(dot, dot + 3, task.dot);
+}
+
+}  // namespace HWY_NAMESPACE
+}  // namespace sabo

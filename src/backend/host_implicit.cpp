@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+#include "backend/host_backend.hpp"
+#include "backend/host_loops.hpp"
+#include "physics/pair/strain_rate.hpp"
+
+// The sweeps of the implicit method that look at one particle at a time.
+
+namespace sabo {
+namespace {
+
+constexpr double crowding_time = 3;  // smoothing lengths over the speed of sound
+
+}  // namespace
+
+/// Everything a wall law needs of the flow at particle i, whose share of the wall is known.
+template <class Law>
+WallContact HostBackend::contact_of(const Law& law, std::size_t i) const {
+  const WallShare& wall = wall_share_[i];
+  const double length = norm(wall.gradient);
+  const Vec3d normal = (-1 / length) * wall.gradient;
+  const double distance = std::max(half_space_.distance(wall.share), 0.25 * model_.spacing);
+  const Vec3d relative = fluid_.velocity[i] - (1 / wall.share) * wall.velocity;
+  const Vec3d along = relative - dot(relative, normal) * normal;
+
+  WallContact at;
+  at.speed = norm(along);
+  at.density = fluid_.density[i];
+  at.gravity = norm(model_.gravity);
+  const double pressure = fluid_.pressure[i] - at.density * distance * dot(model_.gravity, normal);
+  at.pressure = model_.yield.effective_pressure(pressure);
+  const double convention = model_.strain_convention();
+  const double rate = convention * at.speed / distance;
+  const Shear shear = Law::has_yield
+                          ? Shear{rate, model_.yield(pressure, model_.yield.slope()), at.pressure}
+                          : Shear{rate};
+  at.sticking = convention * law.viscosity(shear) / distance;
+  return at;
+}
+
+void HostBackend::wall_resistance() {
+  const PassClock clock(pass_times_, "wall law");
+  const auto with = [&](const auto& law, const auto& wall_law) {
+    over_rows(awake_, threads_, [&](std::size_t i) {
+      const WallShare& wall = wall_share_[i];
+      wall_drag_[i] = 0;
+      wall_slope_[i] = {};
+      // A particle whose kernel barely touches the wall has no direction to it.
+      if (!(wall.share > 1e-6) || !(norm(wall.gradient) > 0)) return;
+      const WallContact at = contact_of(law, i);
+      // The areas 2 V |grad S| of all particles add up to that of the wall, since the integral of
+      // |dS/dd| over the distance is 1/2.
+      const double area = 2 * fluid_.mass[i] / model_.state.rho0 * norm(wall.gradient);
+      wall_drag_[i] = area * wall_law.resistance(at);
+      const double distance = std::max(half_space_.distance(wall.share), 0.25 * model_.spacing);
+      wall_slope_[i] = (-1 / (norm(wall.gradient) * distance)) * wall.gradient;
+    });
+  };
+  std::visit(with, model_.rheology, model_.wall);
+}
+
+// Fourtakas et al. 2019 leave the gradient of a fluid at rest alone, rho0 g / c0^2. A layer on a
+// slope is not at rest under its weight alone: friction carries the part along the slope, which
+// leaves no density gradient there. At most that of a fluid at rest, whatever an impact does.
+void HostBackend::find_diffusion_background() {
+  if (model_.diffusion_form != DiffusionForm::fourtakas) return;
+  const Vec3d gravity = model_.gravity;
+  const double most = norm(gravity);
+  const double per_c2 = 1 / (model_.state.c0 * model_.state.c0);
+  over_rows(awake_, threads_, [&](std::size_t i) {
+    const Vec3d carried = gravity + fluid_.drag[i];
+    const double size = norm(carried);
+    background_[i] = (size > most ? per_c2 * most / size : per_c2) * carried;
+  });
+}
+
+// Density by continuity (Eq. 7) knows what the flow did, not where the particles are. Where a thick
+// mass spreads, particles from its inside come to its surface; the empty part of their kernel
+// counts as expansion, density diffusion makes up for it with density from inside, and over time a
+// deposit crowds at the density of rest, or particles sink into the ground. So density is held to
+// the places of the particles: to their number in the kernel, the kernel completed above a free
+// surface, where the two differ by more than disorder explains. A place that is too empty only
+// takes pressure away, it does not pull.
+double HostBackend::held_to_places(double density, std::size_t i, double catch_up) const {
+  const Filling& filling = filling_[i];
+  const double rho0 = model_.state.rho0;
+  const double slack = model_.crowding_tolerance * rho0;
+  const double placed =
+      rho0 * filling.share * half_space_.completion(norm(filling.gradient) / filling.share);
+  if (density < placed - slack) return density + catch_up * (placed - slack - density);
+  const double most = std::max(rho0, placed + slack);
+  return density > most ? density + catch_up * (most - density) : density;
+}
+
+void HostBackend::advance_state(double dt) {
+  const PassClock clock(pass_times_, "density and viscosity");
+  const double rho0 = model_.state.rho0;
+  const Tait state = model_.state;
+  const double catch_up = -std::expm1(-dt * state.c0 / (crowding_time * model_.h));
+  over_rows(awake_, threads_, [&](std::size_t i) {
+    // d(ln rho)/dt over the step, as in correct().
+    const double k = dt * density_rate_[i] / fluid_.density[i];
+    fluid_.density[i] *= (2 + k) / (2 - k);
+    fluid_.density[i] = held_to_places(fluid_.density[i], i, catch_up);
+    // Nothing presses on a particle by itself.
+    if (!has_neighbours_[i]) fluid_.density[i] = rho0;
+    fluid_.position[i] += dt * fluid_.velocity[i];
+    fluid_.pressure[i] = state.pressure(fluid_.density[i]);
+  });
+  find_viscosity();
+}
+
+void HostBackend::find_viscosity() {
+  const MohrCoulomb yield = model_.yield;
+  const double slope = yield.slope();
+  const double convention = model_.strain_convention();
+  std::visit(
+      [&](const auto& law) {
+        using Law = std::decay_t<decltype(law)>;
+        over_rows(awake_, threads_, [&](std::size_t i) {
+          const double p = fluid_.pressure[i];
+          const double gd = convention * shear_rate(strain_[i]);
+          const Shear at =
+              Law::has_yield ? Shear{gd, yield(p, slope), yield.effective_pressure(p)} : Shear{gd};
+          fluid_.shear_rate[i] = gd;
+          fluid_.viscosity[i] = law.viscosity(at);
+        });
+      },
+      model_.rheology);
+}
+
+void HostBackend::set_sound_speed(double c0) {
+  model_.state.c0 = c0;
+  const Tait state = model_.state;
+  over(fluid_.size(), threads_,
+       [&](std::size_t i) { fluid_.density[i] = state.density(fluid_.pressure[i]); });
+}
+
+}  // namespace sabo

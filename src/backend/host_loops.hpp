@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+namespace sabo {
+
+/// Loops that do little for each of fewer particles than this are over before other threads have
+/// woken up.
+inline constexpr std::ptrdiff_t worth_threads = 4096;
+
+/// f(i) for i in [0, count) on all threads; f writes to i alone.
+template <class F>
+void over(std::size_t count, int threads, const F& f) {
+  const auto last = static_cast<std::ptrdiff_t>(count);
+#pragma omp parallel for num_threads(threads) if (last > worth_threads) schedule(static)
+  for (std::ptrdiff_t i = 0; i < last; ++i) f(static_cast<std::size_t>(i));
+}
+
+/// f(i) for the particles named in `rows`.
+template <class F>
+void over_rows(const std::vector<std::uint32_t>& rows, int threads, const F& f) {
+  over(rows.size(), threads, [&](std::size_t k) { f(std::size_t{rows[k]}); });
+}
+
+/// Sum of f(i) over fixed blocks, so that it has the same bits for any number of threads.
+template <class F>
+double blocked_sum(std::size_t count, int threads, const F& f) {
+  constexpr std::size_t block = 1024;
+  const std::size_t blocks = (count + block - 1) / block;
+  std::vector<double> partial(blocks, 0.0);
+#pragma omp parallel for num_threads(threads) schedule(static)
+  for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
+    const std::size_t last = std::min(count, (b + 1) * block);
+    for (std::size_t i = b * block; i < last; ++i) partial[b] += f(i);
+  }
+  double sum = 0;
+  for (const double p : partial) sum += p;
+  return sum;
+}
+
+}  // namespace sabo

@@ -1,0 +1,111 @@
+#include <algorithm>
+
+#include "backend/reference/reference_backend.hpp"
+#include "physics/pair/density.hpp"
+#include "physics/pair/forces.hpp"
+#include "physics/pair/strain_rate.hpp"
+
+// The pair sweeps of the implicit method.
+
+namespace sabo {
+
+void ReferenceBackend::wall_pressure() {
+  extrapolate_to_boundary();
+  for (std::size_t b = 0; b < boundary_.size(); ++b)
+    boundary_.pressure[b] = model_.state.pressure(boundary_.density[b]);
+}
+
+void ReferenceBackend::near_forces() {
+  const std::size_t fluids = fluid_.size();
+  const auto kernel = model_.kernel<double>();
+  const double rho0 = model_.state.rho0;
+  const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
+  for (const std::uint32_t i : awake_) {
+    Vec3d a = model_.gravity;
+    double conductance = 0;
+    Filling filling{kernel.value(0) * mass(i) / rho0, {}};
+    WallShare wall;
+    for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
+      a += pressure_force(pair, pressure_term(i), pressure_term(j), mass(j));
+      const double mean_density = 0.5 * (density(i) + density(j));
+      a += artificial_force(pair, velocity(i) - velocity(j), alpha_c0_h, mass(j) / mean_density,
+                            model_.eta2());
+      const double volume = mass(j) / rho0;
+      filling.share += volume * kernel.value(std::sqrt(pair.r2));
+      filling.gradient += (volume * pair.gradient) * pair.x;
+      if (j < fluids) {
+        const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
+        conductance += viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0,
+                                           volume, model_.eta2());
+      } else {
+        const double part = volume * kernel.value(std::sqrt(pair.r2));
+        wall.share += part;
+        wall.gradient += (volume * pair.gradient) * pair.x;
+        wall.velocity += part * velocity(j);
+      }
+    });
+    acceleration_[i] = a;
+    velocity_step_.conductance_sum[i] = conductance;
+    filling_[i] = filling;
+    wall_share_[i] = wall;
+  }
+}
+
+ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
+  const double rho0 = model_.state.rho0;
+  const auto multiply = [&](const std::vector<double>& masses, const std::vector<double>& drag) {
+    auto& solver = velocity_step_.solver;
+    VelocityStep<double>::Dot sum{};
+    for (const std::uint32_t i : awake_) {
+      const Quad<double>& p = solver.direction[i];
+      Vec3d flow = drag[i] * Vec3d{p.x, p.y, p.z};
+      for_each_neighbour(i, true, [&](std::size_t j, const PairGeometry<double>& pair) {
+        const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
+        const double a = viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0,
+                                             mass(j) / rho0, model_.eta2());
+        const Quad<double>& pj = solver.direction[j];
+        flow += a * Vec3d{p.x - pj.x, p.y - pj.y, p.z - pj.z};
+      });
+      const Vec3d q = masses[i] * Vec3d{p.x, p.y, p.z} + dt * flow;
+      solver.product[i] = {q.x, q.y, q.z};
+      sum[0] += p.x * q.x;
+      sum[1] += p.y * q.y;
+      sum[2] += p.z * q.z;
+    }
+    return sum;
+  };
+  return velocity_step_.advance({fluid_, awake_, acceleration_, wall_share_, wall_drag_, dt,
+                                 tolerance, most_iterations, threads()},
+                                multiply);
+}
+
+void ReferenceBackend::near_motion() {
+  const std::size_t fluids = fluid_.size();
+  find_diffusion_background();
+  DensityDiffusion<double> diffusion{2 * model_.density_diffusion * model_.h * model_.state.c0,
+                                     model_.eta2(), model_.diffusion_background()};
+  const double rho0 = model_.state.rho0;
+  for (const std::uint32_t i : awake_) {
+    Sym3<double> eps{};
+    double rate = 0;
+    double support = 0;
+    diffusion.hydrostatic = background_[i];
+    for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
+      const Vec3d v = velocity(i) - velocity(j);
+      const double volume = mass(j) / density(j);
+      rate += continuity(pair, v, mass(j));
+      support -= volume * pair.gradient * pair.r2 / model_.dimension;
+      if (j < fluids) {
+        rate += diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
+        eps += strain_rate(pair, v, volume);
+      } else {
+        eps += strain_rate(pair, std::max(0.0, dot(wall_slope_[i], pair.x)) * v, volume);
+      }
+    });
+    strain_[i] = (1 / std::max(0.4, support)) * eps;
+    density_rate_[i] = rate;
+    support_[i] = support;
+  }
+}
+
+}  // namespace sabo

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "solver/stepper.hpp"
+
+namespace sabo {
+
+/// Coefficients of the fast method, see NumericsCase.
+struct FastRule {
+  double h = 0;                     ///< smoothing length, m
+  double cfl = 0.6;                 ///< C_a
+  double sound_speed_factor = 10;   ///< beta
+  double slowest_sound = 1;         ///< that of the deepest flow expected, m/s
+  double viscous_tolerance = 1e-3;  ///< share of dt g
+  int most_iterations = 50;         ///< of the viscous solve before the step is halved
+  bool sound_follows_flow = true;   ///< else it stays at that of the model
+};
+
+/// The fast method: viscosity and walls implicit, pressure explicit and symplectic (velocity first,
+/// then density and position with the new velocity), a sound speed that follows the flow.
+class FastStepper : public Stepper {
+ public:
+  FastStepper(Backend& backend, const FastRule& rule, Domain* domain);
+
+ protected:
+  StepReport advance(double longest) override;
+
+ private:
+  void follow_the_flow(double speed);
+  double longest_step(const FlowExtremes& flow) const;
+
+  FastRule rule_;
+};
+
+}  // namespace sabo

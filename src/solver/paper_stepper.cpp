@@ -1,0 +1,39 @@
+#include "solver/paper_stepper.hpp"
+
+#include <algorithm>
+
+namespace sabo {
+
+PaperStepper::PaperStepper(Backend& backend, const TimeStepRule& rule, Domain* domain)
+    : Stepper(backend, domain), rule_(rule) {
+  renew_neighbours();
+  backend_.pressure();
+  backend_.extrapolate_to_boundary();
+}
+
+StepReport PaperStepper::advance(double longest) {
+  // dt v is at most CFL h / 10, half of it before the middle of the step.
+  const double half_step = 0.05 * rule_.cfl * rule_.h;
+  if (backend_.neighbours_are_stale(half_step)) renew_neighbours();
+
+  evaluate();
+  StepReport report;
+  report.flow = backend_.extremes();
+  report.sound_speed = rule_.c0;
+  report.dt = std::min(rule_(report.flow).dt, longest);
+
+  backend_.predict(report.dt);
+  evaluate();
+  dissipated_ += report.dt * backend_.dissipation();
+  backend_.correct(report.dt);
+  return report;
+}
+
+void PaperStepper::evaluate() {
+  backend_.pressure();
+  backend_.strain_and_density_rates();
+  backend_.stress();
+  backend_.momentum();
+}
+
+}  // namespace sabo
