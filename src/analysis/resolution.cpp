@@ -18,11 +18,23 @@ ResolutionGuard resolution_guard(const Raster& peak_depth, double spacing) {
   std::nth_element(layers.begin(), middle, layers.end());
   double median = *middle;
   if (layers.size() % 2 == 0) median = (median + *std::max_element(layers.begin(), middle)) / 2;
-  const auto thin = std::count_if(layers.begin(), layers.end(), [](double value) {
-    return value < ResolutionGuard::enough_layers;
-  });
   const auto count = static_cast<double>(layers.size());
-  return {count * peak_depth.grid.cell_area(), median, static_cast<double>(thin) / count};
+  const auto share_below = [&](double limit) {
+    const auto below = [limit](double value) { return value < limit; };
+    return static_cast<double>(std::count_if(layers.begin(), layers.end(), below)) / count;
+  };
+  const double thin = share_below(ResolutionGuard::enough_layers);
+  return {count * peak_depth.grid.cell_area(), median, thin,
+          share_below(ResolutionGuard::good_layers) - thin};
+}
+
+Raster layers_map(const Raster& peak_depth, double spacing) {
+  Raster layers(peak_depth.grid, Raster::no_data);
+  for (std::size_t cell = 0; cell < layers.values.size(); ++cell) {
+    const double depth = peak_depth.values[cell];
+    if (depth > FlowMaps::wet_depth) layers.values[cell] = depth / spacing;
+  }
+  return layers;
 }
 
 }  // namespace sabo

@@ -12,6 +12,7 @@
 #include "io/output/checksum.hpp"
 #include "io/output/file.hpp"
 #include "run/input_files.hpp"
+#include "run/rest_text.hpp"
 #include "run/tables.hpp"
 
 namespace sabo {
@@ -48,6 +49,28 @@ std::string zone_text(const ZoneCase& c, const ZoneDepth& zone) {
 /// How far a is from b, in percent to four digits and without a negative zero.
 double percent(double a, double b) { return b > 0 ? std::round(1e6 * (a / b - 1)) / 1e4 + 0.0 : 0; }
 
+std::string resolution_text(const ResolutionGuard& guard) {
+  return fmt::format(
+      "median greatest depth {:.1f} particles; {:.0f} % of the wet area under {:g}, {:.0f} % from "
+      "{:g} to {:g}",
+      guard.median_layers, 100 * guard.thin_share, ResolutionGuard::enough_layers,
+      100 * guard.barely_share, ResolutionGuard::enough_layers, ResolutionGuard::good_layers);
+}
+
+/// "" when there is nothing to warn of.
+std::string resolution_warning(const ResolutionGuard& guard) {
+  if (!(guard.wet_area > 0)) return "";
+  if (guard.is_too_coarse())
+    return "the flow is thinner than its particles resolve: try a smaller numerics.spacing and "
+           "compare";
+  if (guard.is_barely_enough())
+    return fmt::format(
+        "the flow is barely resolved, under {:g} particles deep in most places: compare with a "
+        "smaller numerics.spacing",
+        ResolutionGuard::good_layers);
+  return "";
+}
+
 std::vector<PageTable> result_tables(const Case& c, const Scene& scene,
                                      const std::vector<SeriesRow>& rows) {
   if (rows.empty()) return {};
@@ -81,9 +104,16 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       text += zone_text(c.zones[k], rows.back().zones[k]);
   text += fmt::format(
       "\n[maps]\nraster_volume = {:.3f}\nparticle_volume = {:.3f}\n"
-      "\n[resolution]\nwet_area = {:.1f}\nmedian_layers = {:.2f}\nthin_share = {:.3f}\n",
+      "\n[resolution]\nwet_area = {:.1f}\nmedian_layers = {:.2f}\nthin_share = {:.3f}\n"
+      "barely_share = {:.3f}\nwarning = {}\n",
       facts.raster_volume, facts.particle_volume, facts.resolution.wet_area,
-      facts.resolution.median_layers, facts.resolution.thin_share);
+      facts.resolution.median_layers, facts.resolution.thin_share, facts.resolution.barely_share,
+      toml_string(resolution_warning(facts.resolution)));
+  text += fmt::format(
+      "\n[motion]\nat_rest = {}\nmoving_volume = {:.3f}\nkinetic_energy_over_peak = {:.3g}\n"
+      "creep = {:.4g}\n",
+      facts.motion.is_at_rest, facts.motion.moving_volume, facts.motion.energy_share,
+      facts.motion.creep);
   write_file_atomically(folder.root() / "case.toml", write_case(c));
   write_file_atomically(folder.manifest(), text + input_checksums(c));
 }
@@ -95,20 +125,17 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
     lines.push_back(fmt::format("The run {} at {:.2f} s of {:g} s{}{}", verb_of(facts.end),
                                 facts.simulated, c.run.duration, facts.reason.empty() ? "" : ": ",
                                 facts.reason));
+  if (facts.end == RunEnd::finished && !facts.motion.is_at_rest)
+    lines.push_back("Not at rest at the end: " + motion_text(facts.motion, c.run));
   if (!c.note.empty()) lines.push_back("Note: " + c.note);
   for (const PageTable& table : result_tables(c, scene, rows))
     for (const std::string& line : text_of(table)) lines.push_back(line);
   lines.push_back(fmt::format(
       "Map volume {:.1f} m3, particle volume {:.1f} m3, difference {:.4f} %", facts.raster_volume,
       facts.particle_volume, percent(facts.raster_volume, facts.particle_volume)));
-  lines.push_back(fmt::format(
-      "Resolution: median greatest depth {:.1f} particles; {:.0f} % of the wet area under {:g}",
-      facts.resolution.median_layers, 100 * facts.resolution.thin_share,
-      ResolutionGuard::enough_layers));
-  if (facts.resolution.median_layers < ResolutionGuard::enough_layers)
-    lines.push_back(
-        "  the flow is thinner than its particles resolve: try a smaller "
-        "numerics.spacing and compare");
+  lines.push_back("Resolution: " + resolution_text(facts.resolution));
+  if (const std::string warning = resolution_warning(facts.resolution); !warning.empty())
+    lines.push_back("  " + warning);
   if (facts.top_speed > 0.1 * facts.sound_speed)
     lines.push_back(fmt::format(
         "Mach number {:.2f}: the fastest particle, {:.1f} m/s, is above a tenth of the sound "
@@ -143,13 +170,13 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                    word_of(c.numerics.viscous_operator), word_of(c.numerics.boundary_stress))},
       {"Fastest particle",
        fmt::format("{:.1f} m/s (sound speed {:.0f} m/s)", facts.top_speed, facts.sound_speed)},
-      {"Resolution",
-       fmt::format("median greatest depth {:.1f} particles; {:.0f} % of the wet area under {:g}",
-                   facts.resolution.median_layers, 100 * facts.resolution.thin_share,
-                   ResolutionGuard::enough_layers)},
+      {"Resolution", resolution_text(facts.resolution)},
       {"Map volume", fmt::format("{:.1f} m3, {:+.4f} % of the particles'", facts.raster_volume,
                                  percent(facts.raster_volume, facts.particle_volume))}};
+  if (!facts.motion.is_at_rest)
+    page.facts.insert(page.facts.begin() + 1, {"Not at rest", motion_text(facts.motion, c.run)});
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
+  page.warning = resolution_warning(facts.resolution);
   page.tables = result_tables(c, scene, rows);
   page.details = {parameter_table(c)};
   page.pictures = std::move(pictures);
@@ -160,11 +187,13 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                 {"maps/pfv.tif", "greatest speed, m/s"},
                 {"maps/ppr.tif", "greatest pressure, kPa"},
                 {"maps/tarr.tif", "arrival time, s"},
+                {"maps/res.tif", "greatest depth over the particle spacing, particles"},
                 {"maps/ground.tif", "elevation of the ground as the run used it, m"},
                 {"series/front.csv", "position, displacement and velocity of the front"},
                 {"series/discharge.csv", "discharge through the sections"},
                 {"series/volumes.csv", "released, trapped, beyond, outflow"},
                 {"series/energy.csv", "mass and energies"},
+                {"series/rest.csv", "moving volume, kinetic energy over its peak, creep"},
                 {"series/solver.csv", "time step, speeds, density range, particle counts"},
                 {"frames/flow.pvd", "particles as a time series for ParaView"},
                 {"frames/ground.vtp", "the ground for ParaView"}};

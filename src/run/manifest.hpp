@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "analysis/resolution.hpp"
+#include "analysis/rest.hpp"
 #include "io/output/index_page.hpp"
 #include "run/recorder.hpp"
 #include "run/run_folder.hpp"
@@ -14,7 +15,7 @@ namespace sabo {
 /// What is said of a run when it is over.
 struct RunFacts {
   RunEnd end = RunEnd::finished;
-  std::string reason;   ///< of a failure
+  std::string reason;   ///< of a failure, or of an end before the case's duration
   std::string started;  ///< UTC, ISO 8601
   double wall = 0;      ///< s
   double simulated = 0;
@@ -26,6 +27,7 @@ struct RunFacts {
   double top_speed = 0;                ///< m/s
   double sound_speed = 0;              ///< m/s
   ResolutionGuard resolution;
+  MotionState motion;  ///< at the end
 };
 
 /// Version of the layout of a run folder.

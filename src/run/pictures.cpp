@@ -2,6 +2,9 @@
 
 #include <functional>
 
+#include <fmt/format.h>
+
+#include "analysis/resolution.hpp"
 #include "io/gis/write_raster.hpp"
 #include "io/output/file.hpp"
 #include "io/output/map_picture.hpp"
@@ -49,6 +52,32 @@ class Album {
   const RunFolder& folder_;
   std::vector<PagePicture> pictures_;
 };
+
+/// Classes of depth in particles: orange where they are too few, violet where they are enough, in
+/// the order of ColorBrewer's PuOr, which any colour vision tells apart.
+std::vector<ColourStep> resolution_steps() {
+  constexpr double enough = ResolutionGuard::enough_layers;
+  constexpr double good = ResolutionGuard::good_layers;
+  return {{enough / 2, {179, 88, 6}, fmt::format("under {:g}", enough / 2)},
+          {enough, {241, 163, 64}, fmt::format("{:g} to {:g}", enough / 2, enough)},
+          {good, {254, 224, 182}, fmt::format("{:g} to {:g}", enough, good)},
+          {2 * good, {153, 142, 195}, fmt::format("{:g} to {:g}", good, 2 * good)},
+          {0, {84, 39, 136}, fmt::format("{:g} or more", 2 * good)}};
+}
+
+void draw_resolution(const RunMaps& maps, const Case& c, const Scene& scene, Album& album) {
+  MapPicture map{"Resolution", c.note};
+  map.quantity = fmt::format(
+      "particles in the greatest depth: under {:g} too coarse, {:g} to {:g} barely enough",
+      ResolutionGuard::enough_layers, ResolutionGuard::enough_layers, ResolutionGuard::good_layers);
+  map.view = view_around(maps.peak_depth, FlowMaps::wet_depth);
+  map.lines = overlay(scene);
+  map.steps = resolution_steps();
+  album.add("resolution.svg", map_svg(map, scene.surface->elevation(), maps.layers),
+            fmt::format("Greatest depth over the particle spacing of {:g} m (maps/res.tif)",
+                        c.numerics.spacing),
+            true);
+}
 
 void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& album) {
   const Raster& ground = scene.surface->elevation();
@@ -125,6 +154,13 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
         "kPa");
   write("ground.tif", scene.surface->elevation(), "elevation of the ground as the run used it",
         "m");
+  write(
+      "res.tif", maps.layers,
+      fmt::format("greatest vertical depth over the particle spacing of {:g} m, where the flow is "
+                  "deeper than 0.05 m",
+                  c.numerics.spacing)
+          .c_str(),
+      "particles");
   write("tarr.tif", maps.arrival, "first time with a depth above 0.05 m", "s");
 }
 
@@ -132,6 +168,7 @@ std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<Se
                                        const Case& c, const Scene& scene, const RunFolder& folder) {
   Album album(folder);
   draw_maps(maps, c, scene, album);
+  draw_resolution(maps, c, scene, album);
   draw_series(rows, scene, album);
   return album.take();
 }

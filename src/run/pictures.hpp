@@ -15,6 +15,7 @@ struct RunMaps {
   Raster peak_speed;     ///< pfv, m/s
   Raster peak_pressure;  ///< ppr, Pa; kPa in its file and picture
   Raster arrival;        ///< tarr, s
+  Raster layers;         ///< res, particles
 };
 
 /// Writes the maps as GeoTIFF.

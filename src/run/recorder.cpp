@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <string>
 
+#include "run/rest_text.hpp"
+
 namespace sabo {
 namespace {
 
@@ -52,6 +54,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
     : model_(model),
       ledgers_(make_ledgers(c, scene)),
       front_(scene.path),
+      rest_(rest_limits(c.run), c.numerics.spacing, c.material.density),
       maps_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
       sampling_distance_(std::max({scene.surface->elevation().grid.dx,
                                    scene.surface->elevation().grid.dy, c.numerics.spacing})),
@@ -64,6 +67,9 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       energy_csv_(folder.series() / "energy.csv",
                   {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
                    "dissipated [J]"}),
+      rest_csv_(folder.series() / "rest.csv",
+                {"time [s]", "moving volume [m3]", "kinetic energy over its peak",
+                 "creep [spacings/min]"}),
       solver_csv_(folder.series() / "solver.csv",
                   {"time [s]", "step [count]", "time step [s]", "fastest [m/s]",
                    "lowest density ratio", "highest density ratio", "fluid [count]",
@@ -75,12 +81,14 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
     zone_columns_.emplace(scene.surface->elevation(), c.numerics.spacing, c.material.density);
   tracks_.advance(scene.release);
   maps_.update(0, scene.release);
+  rest_.update(0, scene.release);
 }
 
 void Recorder::after_step(double time, const StepReport& report, const Particles& fluid) {
   const std::vector<Vec3d>& before = tracks_.advance(fluid);
   for (Section& section : sections_) section.record(before, fluid, model_.state.rho0);
   for (VolumeLedger& ledger : ledgers_) ledger.record(before, fluid);
+  if (rest_.is_due(time)) rest_.update(time, fluid);
   travelled_ += report.flow.speed * report.dt;
   if (travelled_ < sampling_distance_) return;
   maps_.update(time, fluid);
@@ -107,6 +115,8 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   row.energy.elastic +=
       energy_of(backend.boundary(), model_.gravity, backend.model().state).elastic;
   row.dissipated = stepper.dissipated();
+  rest_.update(row.time, backend.fluid());
+  row.motion = rest_.state();
 
   std::vector<double> discharge{row.time};
   for (Section& section : sections_) {
@@ -129,6 +139,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   volumes_csv_.append(volumes);
   energy_csv_.append({row.time, row.energy.mass, row.energy.kinetic, row.energy.potential,
                       row.energy.elastic, row.dissipated});
+  rest_csv_.append({row.time, row.motion.moving_volume, row.motion.energy_share, row.motion.creep});
   write_solver_row(stepper, report, backend);
   rows_.push_back(std::move(row));
 }

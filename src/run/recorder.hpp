@@ -6,6 +6,7 @@
 #include "analysis/energy.hpp"
 #include "analysis/flow_maps.hpp"
 #include "analysis/front.hpp"
+#include "analysis/rest.hpp"
 #include "analysis/section.hpp"
 #include "analysis/tracks.hpp"
 #include "analysis/volume_ledger.hpp"
@@ -27,6 +28,7 @@ struct SeriesRow {
   std::vector<ZoneDepth> zones;    ///< one entry per zone
   Energy energy;
   double dissipated = 0;  ///< J
+  MotionState motion;
 };
 
 /// Measures a run while it goes on and writes the series.
@@ -49,6 +51,7 @@ class Recorder {
 
   const std::vector<SeriesRow>& rows() const { return rows_; }
   const FlowMaps& maps() const { return maps_; }
+  const MotionState& motion() const { return rest_.state(); }
 
  private:
   void write_zones(const Particles& fluid, SeriesRow& row);
@@ -61,13 +64,15 @@ class Recorder {
   std::optional<Columns> zone_columns_;  // their own, so that zones do not add samples to the maps
   std::vector<VolumeLedger> ledgers_;
   Front front_;
+  RestWatch rest_;
   FlowMaps maps_;
   double sampling_distance_;  // m
   double travelled_ = 0;      // by the fastest particle since the maps were sampled, m
   std::size_t put_back_seen_ = 0;
   bool has_dams_;
   std::vector<SeriesRow> rows_;
-  CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, solver_csv_;
+  CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_,
+      solver_csv_;
 };
 
 }  // namespace sabo

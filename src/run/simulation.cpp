@@ -12,6 +12,7 @@
 #include "run/manifest.hpp"
 #include "run/pictures.hpp"
 #include "run/recorder.hpp"
+#include "run/rest_text.hpp"
 #include "run/run_folder.hpp"
 #include "solver/domain.hpp"
 #include "solver/flow_model.hpp"
@@ -78,7 +79,9 @@ class Simulation {
     recorder_.after_renewal(domain_);
     while (true) {
       const double time = stepper_->time();
-      const bool is_over = time >= duration || backend_->fluid().size() == 0;
+      const bool is_empty = backend_->fluid().size() == 0;
+      const bool is_at_rest = case_.run.stop_at_rest && recorder_.motion().is_at_rest;
+      const bool is_over = time >= duration || is_empty || is_at_rest;
       const bool is_stopped = options_.stop && *options_.stop;
       if (time >= row_due || is_over || is_stopped) {
         recorder_.write_row(*stepper_, report, *backend_);
@@ -89,7 +92,9 @@ class Simulation {
         frame_due += case_.run.output_interval;
       }
       if (is_stopped && !is_over) facts_.end = RunEnd::interrupted;
-      if (time < duration && is_over) facts_.reason = "all of the flow has left the map";
+      if (time < duration && is_empty) facts_.reason = "all of the flow has left the map";
+      if (time < duration && is_at_rest && !is_empty)
+        facts_.reason = rest_reason(recorder_.motion(), case_.run);
       if (is_over || is_stopped) return;
 
       report = stepper_->step(duration - time);
@@ -134,8 +139,9 @@ class Simulation {
     // A state that failed must not leave its mark on the maps.
     if (facts_.end != RunEnd::failed) recorder_.finish(stepper_->time(), backend_->fluid());
     const FlowMaps& flow = recorder_.maps();
-    const RunMaps maps{flow.depth(), flow.peak_depth(), flow.peak_speed(), flow.peak_pressure(),
-                       flow.arrival_time()};
+    const RunMaps maps{flow.depth(),        flow.peak_depth(),
+                       flow.peak_speed(),   flow.peak_pressure(),
+                       flow.arrival_time(), layers_map(flow.peak_depth(), model_.spacing)};
     const std::vector<SeriesRow>& rows = recorder_.rows();
     fill_facts(maps);
 
@@ -169,6 +175,7 @@ class Simulation {
     facts_.wall = seconds_since(start_);
     facts_.simulated = stepper_->time();
     facts_.steps = stepper_->steps();
+    facts_.motion = recorder_.motion();
     facts_.boundary_particles = backend_->boundary().size();
     facts_.sound_speed = model_.state.c0;
     facts_.resolution = resolution_guard(maps.peak_depth, model_.spacing);

@@ -35,7 +35,7 @@ struct Words<RunEnd> {
 
 struct RunResult {
   RunEnd end = RunEnd::finished;
-  std::string reason;                ///< of a failure
+  std::string reason;                ///< of a failure, or of an end before the case's duration
   std::filesystem::path index;       ///< page to open; empty if it could not be written
   std::vector<std::string> summary;  ///< lines to print: volumes, resolution, what to be aware of
 };

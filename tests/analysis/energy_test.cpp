@@ -6,8 +6,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include "analysis/resolution.hpp"
-
 namespace sabo {
 namespace {
 
@@ -60,23 +58,6 @@ TEST(Energy, sums_over_all_blocks) {
   EXPECT_EQ(energy.mass, 15000);
   EXPECT_EQ(energy.potential, 15000);
   EXPECT_EQ(energy_of(Particles{}, {0, 0, -1}, water).mass, 0);
-}
-
-TEST(ResolutionGuard, counts_the_wet_cells_only) {
-  Raster depth({3, 2, 0, 4, 2, 2}, 0);  // cells of 4 m2
-  depth.values = {0.04, Raster::no_data, 1, 3, 2, 8};
-  const ResolutionGuard guard = resolution_guard(depth, 0.5);  // 2, 6, 4, 16 layers
-  EXPECT_EQ(guard.wet_area, 16);
-  EXPECT_EQ(guard.median_layers, 5);
-  EXPECT_EQ(guard.thin_share, 0.25);
-}
-
-TEST(ResolutionGuard, of_an_odd_number_of_cells_and_of_none) {
-  Raster depth({3, 1, 0, 1, 1, 1}, 0);
-  depth.values = {9, 1, 2};
-  EXPECT_EQ(resolution_guard(depth, 1).median_layers, 2);
-  depth.values = {0, 0, Raster::no_data};
-  EXPECT_EQ(resolution_guard(depth, 1).wet_area, 0);
 }
 
 }  // namespace

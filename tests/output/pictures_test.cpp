@@ -93,6 +93,43 @@ TEST(Relief, DrawsValuesAboveTheThresholdOnly) {
   EXPECT_GT(deep[2], deep[1]);  // violet
 }
 
+TEST(StepColour, HasOneForEachClass) {
+  const std::vector<ColourStep> steps{{4, {1, 0, 0}}, {5, {2, 0, 0}}, {0, {3, 0, 0}}};
+  EXPECT_EQ(step_colour(steps, -1)[0], 1);
+  EXPECT_EQ(step_colour(steps, 3.999)[0], 1);
+  EXPECT_EQ(step_colour(steps, 4)[0], 2);
+  EXPECT_EQ(step_colour(steps, 5)[0], 3);
+  EXPECT_EQ(step_colour(steps, 1e9)[0], 3);
+}
+
+TEST(Relief, MixesNoClassesBetweenCells) {
+  const Raster ground(Grid{.columns = 2, .rows = 1, .north = 1}, 5);
+  Raster layers(ground.grid);
+  layers.values = {1, 9};
+  // Between the two lies the class of 4 to 6, whose green shows nowhere.
+  const std::vector<ColourStep> steps{{4, {255, 0, 0}}, {6, {0, 255, 0}}, {0, {0, 0, 255}}};
+  const Image image = draw_relief({ground, layers, 0, 9, 10, steps}, {0, 0, 2, 1}, 40, 20);
+  for (int column = 0; column < 40; ++column) {
+    const Colour& colour = image.pixels[10 * 40 + column];
+    EXPECT_GT(colour[column < 20 ? 0 : 2], colour[1]) << column;
+  }
+  layers.values[1] = Raster::no_data;
+  const Colour bare =
+      draw_relief({ground, layers, 0, 9, 10, steps}, {0, 0, 2, 1}, 40, 20).pixels[395];
+  EXPECT_EQ(bare[0], bare[2]) << "no data is bare ground";
+}
+
+TEST(Map, ShowsTheClassesOfASteppedScale) {
+  const Raster ground(Grid{.columns = 30, .rows = 10, .north = 10}, 5);
+  MapPicture map{"Resolution", "", "particles"};
+  map.view = {0, 0, 30, 10};
+  map.steps = {{4, {179, 88, 6}, "under 4"}, {0, {84, 39, 136}, "4 or more"}};
+  const std::string svg = map_svg(map, ground, Raster(ground.grid, Raster::no_data));
+  for (const char* part : {">under 4</text>", ">4 or more</text>", "#b35806", "#542788"})
+    EXPECT_THAT(svg, HasSubstr(part));
+  EXPECT_THAT(svg, Not(HasSubstr("linearGradient")));
+}
+
 TEST(ViewAround, HoldsTheFlowWithAMarginInsideTheGrid) {
   Raster depth(Grid{.columns = 1000, .rows = 100, .north = 100}, 0);
   for (int column = 5; column < 505; ++column) depth.at(column, 50) = 1;
@@ -133,6 +170,7 @@ TEST(Map, AStripIsStillAPicture) {
 TEST(IndexPage, EscapesEveryText) {
   const std::string bad = "<b>&";
   IndexPage page{bad, bad, bad, {{bad, bad}}, {{bad, {bad}, {{bad}}}}, {}, {}};
+  page.warning = bad;
   page.pictures = {{{"maps/<b>.svg"}, bad, true}};
   page.files = {{"a b.csv", bad}};
   page.details = {{"details " + bad, {bad}, {{bad}}}};

@@ -46,6 +46,12 @@ Colour mixed(const Colour& a, const Colour& b, double share_of_b) {
   return out;
 }
 
+Colour step_colour(std::span<const ColourStep> steps, double value) {
+  const auto in_class = [value](const ColourStep& step) { return value < step.end; };
+  const auto found = std::find_if(steps.begin(), steps.end() - 1, in_class);
+  return found->colour;
+}
+
 std::string hex(const Colour& colour) {
   return fmt::format("#{:02x}{:02x}{:02x}", colour[0], colour[1], colour[2]);
 }

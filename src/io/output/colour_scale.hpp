@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <span>
 #include <string>
 
 namespace sabo {
@@ -19,6 +20,17 @@ Colour ground_colour(double shade);
 
 /// From `a` (share 0) to `b` (share 1).
 Colour mixed(const Colour& a, const Colour& b, double share_of_b);
+
+/// One class of a stepped scale: values from the end of the class before it (the first: from any)
+/// to below `end`; the last class has no end.
+struct ColourStep {
+  double end = 0;
+  Colour colour{};
+  std::string label = {};
+};
+
+/// Colour of the class that holds the value; `steps` is not empty.
+Colour step_colour(std::span<const ColourStep> steps, double value);
 
 /// "#rrggbb"
 std::string hex(const Colour& colour);

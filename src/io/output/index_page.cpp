@@ -110,6 +110,8 @@ std::string index_html(const IndexPage& page) {
     html += fmt::format("<p class=\"subtitle\">{}</p>\n", escaped(page.subtitle));
   }
   if (!page.note.empty()) html += fmt::format("<p class=\"note\">{}</p>\n", escaped(page.note));
+  if (!page.warning.empty())
+    html += fmt::format("<p class=\"note\">Warning: {}</p>\n", escaped(page.warning));
   html += facts_html(page);
   for (const PageTable& table : page.tables) html += table_html(table);
   html += pictures_html(page);

@@ -229,10 +229,13 @@ std::string map_svg(const MapPicture& map, const Raster& elevation, const Raster
   for (std::size_t k = 0; k < layout.note.size(); ++k)
     svg += svg_text(margin, 52 + note_line * static_cast<double>(k), layout.note[k],
                     {.size = note_size});
-  svg += draw_raster({elevation, values, map.threshold, top, contour}, layout);
+  svg += draw_raster({elevation, values, map.threshold, top, contour, map.steps}, layout);
   svg += draw_lines(map, layout);
-  if (top > 0) {
-    svg += svg_colour_bar(margin, layout.top + layout.height + 34, map.quantity, top);
+  const double bar = layout.top + layout.height + 34;
+  if (!map.steps.empty()) {
+    svg += svg_step_bar(margin, bar, map.quantity, map.steps);
+  } else if (top > 0) {
+    svg += svg_colour_bar(margin, bar, map.quantity, top);
   }
   svg += draw_scale(layout, contour);
   return svg + "</svg>\n";

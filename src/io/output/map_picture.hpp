@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "io/output/colour_scale.hpp"
 #include "io/output/map_line.hpp"
 #include "io/output/relief.hpp"
 #include "terrain/raster.hpp"
@@ -19,6 +20,7 @@ struct MapPicture {
   std::optional<double> top = {};  ///< value of the darkest colour, else from the data
   MapView view = {};
   std::vector<MapLine> lines = {};
+  std::vector<ColourStep> steps = {};  ///< classes in place of the continuous colours
 };
 
 /// The cells with a value above the threshold plus a margin of 8 % of the longer side (at least 10

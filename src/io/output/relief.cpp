@@ -45,6 +45,12 @@ struct Pixel {
   bool is_flow = false;
 };
 
+// Between the cells of two classes there is no third one, as interpolation would make it.
+double nearest(const Raster& values, double x, double y) {
+  const int column = values.grid.column_of(x), row = values.grid.row_of(y);
+  return values.grid.has_cell(column, row) ? values.at(column, row) : Raster::no_data;
+}
+
 Pixel pixel_at(const Relief& relief, const Raster& shade, double x, double y) {
   Pixel pixel;
   const double light_here = bilinear(shade, x, y, Raster::no_data);
@@ -52,10 +58,13 @@ Pixel pixel_at(const Relief& relief, const Raster& shade, double x, double y) {
     pixel.colour = ground_colour(light_here);
     pixel.band = std::floor(bilinear(relief.elevation, x, y, Raster::no_data) / relief.contour);
   }
-  const double value = bilinear(relief.values, x, y, 0);
+  const double value =
+      relief.steps.empty() ? bilinear(relief.values, x, y, 0) : nearest(relief.values, x, y);
   if (value > relief.threshold) {
+    const Colour colour =
+        relief.steps.empty() ? flow_colour(value / relief.top) : step_colour(relief.steps, value);
     // A fifth of the relief shines through.
-    pixel.colour = mixed(flow_colour(value / relief.top), pixel.colour, 0.2);
+    pixel.colour = mixed(colour, pixel.colour, 0.2);
     pixel.is_flow = true;
   }
   return pixel;

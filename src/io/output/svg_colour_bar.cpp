@@ -30,4 +30,18 @@ std::string svg_colour_bar(double x, double y, std::string_view quantity, double
   return svg;
 }
 
+std::string svg_step_bar(double x, double y, std::string_view quantity,
+                         std::span<const ColourStep> steps) {
+  constexpr double width = 72, height = 12;
+  std::string svg = svg_text(x, y - 8, quantity, {.size = 13, .colour = svg_ink});
+  for (std::size_t k = 0; k < steps.size(); ++k) {
+    const double left = x + width * static_cast<double>(k);
+    svg += fmt::format(
+        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", left, y,
+        width, height, hex(steps[k].colour), svg_muted);
+    svg += svg_text(left + width / 2, y + height + 17, steps[k].label, {.anchor = Anchor::middle});
+  }
+  return svg;
+}
+
 }  // namespace sabo
