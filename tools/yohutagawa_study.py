@@ -51,6 +51,8 @@ class Variant:
             template = re.sub(rf"(?m)^{key} = \S+", f"{key} = {value}", template)
         switches = (f'boundary_stress = "{self.stress}"\n'
                     f"as_printed = {str(self.as_printed).lower()}\n")
+        # All to the same time, as in the paper.
+        template = template.replace("[run]\n", "[run]\nstop_at_rest = false\n")
         return template.replace("[numerics]\n", "[numerics]\n" + switches)
 
 

@@ -24,7 +24,9 @@ FinishedRun run_with(const TemporaryFolder& folder, const std::string& stop, dou
       << "\nrest_time = 0.5\nrest_speed = 100\nrest_volume = 0.9\nrest_energy = 1\n"
          "rest_creep = 1e6\nseries_interval = 0.4\n";
   return run_to_end(case_folder, folder / (stop + "-run"),
-                    {{"numerics", "spacing", 4.0}, {"run", "duration", duration}});
+                    {{"numerics", "spacing", 4.0},
+                     {"numerics", "threads", std::int64_t{1}},
+                     {"run", "duration", duration}});
 }
 
 double last_frame_time(const FinishedRun& run) {
