@@ -23,6 +23,8 @@ struct ReleaseCase {
   std::string thickness_attribute;
   std::optional<double> volume;
   bool normal = false;
+  double jitter = 0;
+  int seed = 0;
 
   template <class V>
   void describe(V&& v) {
@@ -54,6 +56,16 @@ struct ReleaseCase {
           .at_most(1e12),
       volume);
     v(Key{"normal", "", "thickness is normal to the ground, not vertical"}, normal);
+    v(Key{"jitter", "",
+          "random displacement of each released particle along x, y and z, at most this share of "
+          "the "
+          "spacing: for ensembles"}
+          .at_least(0)
+          .at_most(0.3),
+      jitter);
+    v(Key{"seed", "", "number of the random displacements; each gives others"}.at_least(0).at_most(
+          1e9),
+      seed);
   }
 };
 

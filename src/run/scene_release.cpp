@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <map>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "io/gis/read_vectors.hpp"
 #include "run/scene_lines.hpp"
 #include "solver/flow_model.hpp"
+#include "terrain/jitter.hpp"
 #include "terrain/release.hpp"
 
 namespace sabo {
@@ -110,6 +112,10 @@ void read_release(const Case& c, Scene& scene) {
   scene.release = released_by(c, scene);
   summarise(c, scene);
   make_hydrostatic(c, scene);
+  // Last, so that path, sound speed and densities are the same for every seed.
+  const double reach = c.release.jitter * c.numerics.spacing;
+  const auto seed = static_cast<std::uint64_t>(c.release.seed);
+  jitter(scene.release, *scene.surface, {reach, 0.2 * c.numerics.spacing, seed});
 }
 
 }  // namespace sabo

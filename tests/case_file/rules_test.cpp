@@ -99,6 +99,16 @@ TEST(Rules, PointsStandAlone) {
                           "case.toml:7 release.normal: does not apply to points; remove it"));
 }
 
+TEST(Rules, ASeedNeedsAJitter) {
+  const std::string raster = "thickness_raster = \"release.tif\"\n";
+  EXPECT_THAT(release(raster + "jitter = 0.1\nseed = 3\n"), IsEmpty());
+  EXPECT_THAT(
+      release(raster + "seed = 3\n"),
+      ElementsAre("case.toml:5 release.seed: has no effect without jitter; give jitter, 0.1 "
+                  "for instance"));
+  EXPECT_THAT(release(raster + "jitter = 0.31\nseed = 3\n").size(), 1u);
+}
+
 TEST(Rules, KeysOfPointsNeedPoints) {
   EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = 1\npoint_volume = 2\n"
                       "points_offset = [1, 0, 0]\n"),

@@ -109,6 +109,12 @@ void check_polygon_thickness(const ReleaseCase& release, Faults& faults) {
   }
 }
 
+void check_jitter(const ReleaseCase& release, Faults& faults) {
+  if (release.seed == ReleaseCase{}.seed || release.jitter > 0 || faults.has("release.jitter"))
+    return;
+  faults.add("release.seed", "has no effect without jitter", "give jitter, 0.1 for instance");
+}
+
 void check_release(const ReleaseCase& release, Faults& faults) {
   const bool by_pair = !release.dem_before.empty() || !release.dem_after.empty() ||
                        faults.has("release.dem_before") || faults.has("release.dem_after");
@@ -129,6 +135,7 @@ void check_release(const ReleaseCase& release, Faults& faults) {
     return;
   }
   check_dem_pair(release, faults);
+  check_jitter(release, faults);
   if (by_polygon) check_polygon_thickness(release, faults);
   if (!by_polygon && thickness) {
     faults.add("release.thickness", "applies to a polygon only", "remove it");
