@@ -22,6 +22,7 @@ constexpr const char* examples = R"(Examples:
   sabo new yohutagawa demo                   write an example with its input files
   sabo check demo                            what the case holds, and what is wrong with it
   sabo run demo --spacing 1.5 --duration 60  run it, coarser and shorter than it says
+  sabo study demo --spacings 4,3,2.2         run it at each spacing: what hangs on it
   sabo plot demo-run --times 10,30,60        draw the flow at these times
   sabo info demo-run                         what came out
 
@@ -35,6 +36,7 @@ void describe_program(CLI::App& program, Action& action) {
   add_new_command(program, action);
   add_check_command(program, action);
   add_run_command(program, action);
+  add_study_command(program, action);
   add_plot_command(program, action);
   add_info_command(program, action);
   add_models_command(program, action);

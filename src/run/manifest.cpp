@@ -23,13 +23,6 @@ const char* verb_of(RunEnd end) {
   return end == RunEnd::interrupted ? "was interrupted" : "ended";
 }
 
-std::string input_checksums(const Case& c) {
-  std::string text = "\n[inputs]  # CRC-32\n";
-  for (const std::filesystem::path& file : input_files(c))
-    text += toml_string(file.string()) + " = " + toml_string(checksum(file)) + "\n";
-  return text;
-}
-
 std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
   std::string text = fmt::format("released = {:.3f}\noutflow = {:.3f}\nput_back = {}\n",
                                  row.released, row.outflow, row.put_back);
@@ -44,6 +37,13 @@ std::string zone_text(const ZoneCase& c, const ZoneDepth& zone) {
       "\n[[zones]]\nzone = {}\nmean_wet = {:.4f}\nmean_all = {:.4f}\ngreatest = {:.4f}\n"
       "wet_area = {:.1f}\nvolume = {:.3f}\n",
       toml_string(c.name), zone.mean_wet, zone.mean_all, zone.greatest, zone.wet_area, zone.volume);
+}
+
+std::string quantities_text(const std::vector<KeyQuantity>& quantities) {
+  std::string text = "\n[quantities]\n";
+  for (const KeyQuantity& quantity : quantities)
+    text += fmt::format("{} = {:.9g}\n", toml_string(quantity.label()), quantity.value);
+  return text;
 }
 
 /// How far a is from b, in percent to four digits and without a negative zero.
@@ -81,6 +81,13 @@ std::vector<PageTable> result_tables(const Case& c, const Scene& scene,
 
 }  // namespace
 
+std::string input_checksums(const Case& c) {
+  std::string text = "\n[inputs]  # CRC-32\n";
+  for (const std::filesystem::path& file : input_files(c))
+    text += toml_string(file.string()) + " = " + toml_string(checksum(file)) + "\n";
+  return text;
+}
+
 std::string utc_now() {
   return fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr)));
 }
@@ -114,6 +121,7 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       "creep = {:.4g}\n",
       facts.motion.is_at_rest, facts.motion.moving_volume, facts.motion.energy_share,
       facts.motion.creep);
+  text += quantities_text(facts.quantities);
   write_file_atomically(folder.root() / "case.toml", write_case(c));
   write_file_atomically(folder.manifest(), text + input_checksums(c));
 }

@@ -6,6 +6,7 @@
 #include "analysis/resolution.hpp"
 #include "analysis/rest.hpp"
 #include "io/output/index_page.hpp"
+#include "run/key_quantities.hpp"
 #include "run/recorder.hpp"
 #include "run/run_folder.hpp"
 #include "run/simulation.hpp"
@@ -28,6 +29,7 @@ struct RunFacts {
   double sound_speed = 0;              ///< m/s
   ResolutionGuard resolution;
   MotionState motion;  ///< at the end
+  std::vector<KeyQuantity> quantities;
 };
 
 /// Version of the layout of a run folder.
@@ -36,6 +38,9 @@ inline constexpr int run_folder_version = 1;
 /// Writes manifest.toml and the resolved case.toml with the checksums of its inputs.
 void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
                     const std::vector<SeriesRow>& rows, const RunFolder& folder);
+
+/// The table of the manifest that says which inputs a case has: each file with its checksum.
+std::string input_checksums(const Case& c);
 
 /// The lines to print when a run is over.
 std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, const Scene& scene,

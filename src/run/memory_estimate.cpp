@@ -9,6 +9,7 @@ namespace {
 constexpr double bytes_of_program = 50e6;   // libraries and their tables
 constexpr double bytes_per_cell = 100;      // elevations twice, and the maps
 constexpr double bytes_per_particle = 400;  // fields, rates, start of the step, records
+constexpr double bytes_of_watch = 150;      // for rest: positions at six times
 constexpr double bytes_per_neighbour = 4;   // its index
 constexpr double list_radius_over_kernel = 1.1;
 constexpr double late_depth = 2;            // particles
@@ -27,7 +28,8 @@ double expected_memory(const FlowModel& model, std::size_t particles, std::size_
   const auto fluid = static_cast<double>(particles);
   const double boundary = expected_boundary(model, particles);
   return bytes_of_program + bytes_per_cell * static_cast<double>(dem_cells) +
-         (fluid + boundary) * bytes_per_particle + fluid * neighbours * bytes_per_neighbour;
+         (fluid + boundary) * bytes_per_particle + fluid * bytes_of_watch +
+         fluid * neighbours * bytes_per_neighbour;
 }
 
 }  // namespace sabo

@@ -1,5 +1,6 @@
 #include "run/run_info.hpp"
 
+#include <algorithm>
 #include <array>
 #include <map>
 #include <string_view>
@@ -57,12 +58,15 @@ std::string text_of(const TomlNode& node) {
 
 std::string table_text(const std::string& heading, const TomlTable& table) {
   std::string text = fmt::format("\n{}\n", heading);
+  std::size_t width = 20;
+  if (heading == "quantities")
+    for (const auto& [key, node] : table) width = std::max(width, key.size());
   for (const auto& [key, node] : table) {
     const std::string value = text_of(node);
     if (value.empty()) continue;
     const auto unit = units.find(key);
-    text += fmt::format("  {:<20} {}{}{}\n", label_of(key), value, unit == units.end() ? "" : " ",
-                        unit == units.end() ? "" : unit->second);
+    text += fmt::format("  {:<{}} {}{}{}\n", label_of(key), width, value,
+                        unit == units.end() ? "" : " ", unit == units.end() ? "" : unit->second);
   }
   return text;
 }

@@ -144,6 +144,7 @@ class Simulation {
                        flow.arrival_time(), layers_map(flow.peak_depth(), model_.spacing)};
     const std::vector<SeriesRow>& rows = recorder_.rows();
     fill_facts(maps);
+    facts_.quantities = key_quantities(maps, rows, scene_);
 
     RunResult result;
     attempt([&] { folder_.set_state("failed", "the outputs are incomplete"); });

@@ -25,7 +25,7 @@ TEST(CommandLine, WithoutACommandIsAUsageErrorThatHelps) {
 }
 
 TEST(CommandLine, HelpIsNoError) {
-  for (const char* command : {"", "new", "check", "run", "plot", "info", "models", "bench"}) {
+  for (const char* command : {"", "new", "check", "run", "study", "plot", "info", "models", "bench"}) {
     const Outcome outcome = run_shell(std::string("sabo ") + command + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_THAT(outcome.text, HasSubstr("Usage: sabo")) << command;
@@ -53,7 +53,8 @@ TEST(CommandLine, SuggestsTheNearestCommandOptionAndTemplate) {
 }
 
 TEST(CommandLine, MissingArgumentsAreUsageErrors) {
-  for (const char* command : {"sabo new", "sabo check", "sabo run", "sabo info", "sabo run x -o"})
+  for (const char* command :
+       {"sabo new", "sabo check", "sabo run", "sabo info", "sabo run x -o", "sabo study x"})
     EXPECT_EQ(run_shell(command).code, 2) << command;
 }
 

@@ -92,6 +92,27 @@ TEST_F(RunCommand, WritesItsResultsWhenTheRunFails) {
   EXPECT_TRUE(exists("demo-run/index.html"));
 }
 
+TEST_F(RunCommand, StudyRunsEachSpacingOnce) {
+  const std::string command = "sabo study demo --spacings 4,5 --duration 0.05 --threads 1";
+  const Outcome study = in_folder(command);
+  EXPECT_EQ(study.code, 0) << study.text;
+  EXPECT_THAT(study.text, HasSubstr("Run 1 of 2: spacing-5\n"));
+  EXPECT_THAT(study.text, HasSubstr("two spacings: first order is assumed"));
+  EXPECT_THAT(study.text, HasSubstr("\nOpen demo-study/index.html\n"));
+  for (const char* file : {"index.html", "table.csv", "runs.csv", "study.toml",
+                           "spacing-4/index.html", "pictures/quantity_01.svg"})
+    EXPECT_TRUE(exists("demo-study/" + std::string(file))) << file;
+  EXPECT_THAT(folder_.read("demo-study/table.csv"), Not(HasSubstr("nan")));
+  EXPECT_THAT(folder_.read("demo-study/table.csv"), HasSubstr("\nfront run-out [m],"));
+
+  const Outcome again = in_folder(command);
+  EXPECT_EQ(again.code, 0);
+  EXPECT_THAT(again.text, HasSubstr("Run 2 of 2: spacing-4 is there already\n"));
+  const Outcome elsewhere = in_folder(command + " -o demo");
+  EXPECT_EQ(elsewhere.code, 2);
+  EXPECT_THAT(elsewhere.text, HasSubstr("demo: holds files that are not those of a study"));
+}
+
 TEST_F(RunCommand, CheckDescribesTheCase) {
   const Outcome outcome = in_folder("sabo check demo --spacing 2");
   EXPECT_EQ(outcome.code, 0);

@@ -170,7 +170,7 @@ TEST(Map, AStripIsStillAPicture) {
 TEST(IndexPage, EscapesEveryText) {
   const std::string bad = "<b>&";
   IndexPage page{bad, bad, bad, {{bad, bad}}, {{bad, {bad}, {{bad}}}}, {}, {}};
-  page.warning = bad;
+  page.warning = page.remarks = bad;
   page.pictures = {{{"maps/<b>.svg"}, bad, true}};
   page.files = {{"a b.csv", bad}};
   page.details = {{"details " + bad, {bad}, {{bad}}}};

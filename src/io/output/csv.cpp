@@ -24,18 +24,22 @@ std::string field(const std::string& text) {
 
 }  // namespace
 
+std::string csv_line(std::span<const std::string> fields) {
+  std::string line;
+  for (std::size_t k = 0; k < fields.size(); ++k) {
+    if (k > 0) line += ',';
+    line += field(fields[k]);
+  }
+  return line + '\n';
+}
+
 CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& header)
     : name_(file.string()), header_(header), file_(std::fopen(file.c_str(), "wb")) {
   if (!file_) {
     throw RunError(
         fmt::format("cannot write {}: {}", name_, std::generic_category().message(errno)));
   }
-  std::string line;
-  for (const std::string& title : header_) {
-    if (!line.empty()) line += ',';
-    line += field(title);
-  }
-  write_line(line);
+  write_line(csv_line(header_));
 }
 
 void CsvWriter::append(std::span<const double> row) {
@@ -49,12 +53,12 @@ void CsvWriter::append(std::span<const double> row) {
     }
     line += fmt::format("{}{:.9g}", i == 0 ? "" : ",", row[i]);
   }
-  write_line(line);
+  write_line(line + '\n');
 }
 
 void CsvWriter::write_line(const std::string& line) {
   errno = 0;
-  const bool is_written = std::fputs((line + '\n').c_str(), file_.get()) >= 0;
+  const bool is_written = std::fputs(line.c_str(), file_.get()) >= 0;
   if (std::fflush(file_.get()) != 0 || !is_written) {
     throw RunError(
         fmt::format("cannot write {}: {}", name_, std::generic_category().message(errno)));

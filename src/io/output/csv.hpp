@@ -9,6 +9,9 @@
 
 namespace sabo {
 
+/// Fields as one line with its end, quoted where RFC 4180 asks for it.
+std::string csv_line(std::span<const std::string> fields);
+
 /// A table that grows while a run goes on: a header row such as `time [s],front [m]`, then rows of
 /// numbers with nine digits. Each row is on disk when append() returns. Errors are RunErrors.
 class CsvWriter {

@@ -114,6 +114,8 @@ std::string index_html(const IndexPage& page) {
     html += fmt::format("<p class=\"note\">Warning: {}</p>\n", escaped(page.warning));
   html += facts_html(page);
   for (const PageTable& table : page.tables) html += table_html(table);
+  if (!page.remarks.empty())
+    html += fmt::format("<p class=\"subtitle\">{}</p>\n", escaped(page.remarks));
   html += pictures_html(page);
   for (const PageTable& table : page.details) html += table_html(table);
   html += files_html(page);

@@ -36,6 +36,7 @@ struct IndexPage {
   int columns = 2;                      ///< of pictures on a wide screen
   std::vector<PageTable> details = {};  ///< below the pictures
   std::vector<PageFile> files = {};
+  std::string remarks = {};  ///< below the tables: how to read them
   std::string warning = {};  ///< below the note: why not to trust the results; "" for none
 };
 

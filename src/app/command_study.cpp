@@ -1,0 +1,90 @@
+#include <filesystem>
+#include <memory>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "app/case_option.hpp"
+#include "app/commands.hpp"
+#include "app/messages.hpp"
+#include "app/progress_display.hpp"
+#include "app/stop_signals.hpp"
+#include "run/load_case.hpp"
+#include "run/study.hpp"
+
+namespace sabo {
+namespace {
+
+struct StudyCommandOptions {
+  StudyRequest request;
+  std::string folder;
+};
+
+int report(const StudyResult& result) {
+  for (const std::string& line : result.summary) fmt::print("{}\n", line);
+  if (!result.index.empty()) fmt::print("Open {}\n", result.index.string());
+  std::fflush(stdout);
+  if (!result.reason.empty()) print_error(result.reason);
+  if (result.end == RunEnd::interrupted) return exit_stopped;
+  return result.end == RunEnd::finished ? exit_done : exit_run_failed;
+}
+
+int study(const StudyCommandOptions& options) {
+  const std::atomic<bool>& stop = catch_stop_signals();
+  StudyOptions study_options;
+  study_options.folder =
+      options.folder.empty() ? name_of_case(options.request.case_path) + "-study" : options.folder;
+  study_options.stop = &stop;
+  std::optional<ProgressDisplay> display;
+  study_options.on_run = [&](const std::string& line) {
+    if (display) display->finish();
+    display.emplace(false);
+    fmt::print("{}\n", line);
+    std::fflush(stdout);
+  };
+  study_options.on_progress = [&](const RunProgress& progress) { display->show(progress); };
+  const StudyResult result = run_study(options.request, study_options);
+  if (display) display->finish();
+  return report(result);
+}
+
+}  // namespace
+
+void add_study_command(CLI::App& program, Action& action) {
+  CLI::App* command = program.add_subcommand(
+      "study", "Run a case at several spacings and say what hangs on the spacing");
+  const auto options = std::make_shared<StudyCommandOptions>();
+  StudyRequest& request = options->request;
+  command
+      ->add_option("CASE", request.case_path,
+                   "case file, folder with a case.toml, or AvaFrame project")
+      ->required()
+      ->type_name("");
+  command
+      ->add_option("--spacings", request.spacings,
+                   "particle spacings, m; three with ratios of 1.3 or more show an order")
+      ->required()
+      ->delimiter(',')
+      ->type_name("M,M,...");
+  command
+      ->add_option("-o,--output", options->folder,
+                   "folder of the study, which finds its finished runs again; default: name of the "
+                   "case's folder with -study")
+      ->type_name("DIR");
+  command
+      ->add_option("--members", request.members,
+                   "runs at each spacing with jittered starts: the scatter of the results")
+      ->type_name("N");
+  add_case_option(*command, "release", "jitter", request.overrides);
+  add_case_option(*command, "run", "duration", request.overrides);
+  add_case_option(*command, "numerics", "backend", request.overrides);
+  add_case_option(*command, "numerics", "threads", request.overrides);
+  command->footer(
+      "Examples:\n  sabo study demo --spacings 4,3,2.2\n"
+      "  sabo study demo --spacings 4,3,2.2 --members 5 --duration 60");
+  command->callback([&action, options] {
+    action = {options->request.case_path.string(), [=] { return study(*options); }};
+  });
+}
+
+}  // namespace sabo
