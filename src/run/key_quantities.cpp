@@ -22,6 +22,13 @@ void add_arrival(const RunMaps& maps, const std::string& name, const Polyline& l
     list.push_back({"arrival at " + name, "s", *time});
 }
 
+/// What a section is called here: a dam may have the same name.
+std::string name_of_section(const std::string& name, const Scene& scene) {
+  const bool is_taken =
+      std::ranges::any_of(scene.dams, [&name](const CheckDam& dam) { return dam.name == name; });
+  return is_taken ? "section " + name : name;
+}
+
 void add_deposit(const Raster& depth, std::vector<KeyQuantity>& list) {
   double cells = 0;
   double sum = 0;
@@ -53,10 +60,11 @@ std::vector<KeyQuantity> key_quantities(const RunMaps& maps, const std::vector<S
     list.push_back({"beyond " + dam.name, "m3", last.volumes[k].beyond});
   }
   for (std::size_t k = 0; k < scene.sections.size(); ++k) {
-    add_arrival(maps, scene.sections[k].name, scene.sections[k].line, 0, list);
-    list.push_back(
-        {"peak discharge at " + scene.sections[k].name, "m3/s",
-         greatest(rows, [k](const SeriesRow& row) { return std::abs(row.discharge[k]); })});
+    const std::string name = name_of_section(scene.sections[k].name, scene);
+    add_arrival(maps, name, scene.sections[k].line, 0, list);
+    list.push_back({"peak discharge at " + name, "m3/s", greatest(rows, [k](const SeriesRow& row) {
+                      return std::abs(row.discharge[k]);
+                    })});
   }
   list.push_back({"left the map", "m3", last.volumes.front().outflow});
   add_deposit(maps.deposit, list);

@@ -66,10 +66,10 @@ std::vector<ColourStep> resolution_steps() {
 }
 
 void draw_resolution(const RunMaps& maps, const Case& c, const Scene& scene, Album& album) {
-  MapPicture map{"Resolution", c.note};
-  map.quantity = fmt::format(
-      "particles in the greatest depth: under {:g} too coarse, {:g} to {:g} barely enough",
-      ResolutionGuard::enough_layers, ResolutionGuard::enough_layers, ResolutionGuard::good_layers);
+  MapPicture map{
+      fmt::format("Resolution: under {0:g} particles too coarse, {0:g} to {1:g} barely enough",
+                  ResolutionGuard::enough_layers, ResolutionGuard::good_layers),
+      c.note, "particles in the greatest depth"};
   map.view = view_around(maps.peak_depth, FlowMaps::wet_depth);
   map.lines = overlay(scene);
   map.steps = resolution_steps();
