@@ -188,7 +188,7 @@ fs::path write_study(const fs::path& folder, const Case& c, const std::vector<St
     write_file_atomically(folder / name, chart_of(table.rows[k], records, table));
     page.pictures.push_back({{name}, table.rows[k].label + " by particle spacing", false});
   }
-  const fs::path file = folder / "index.html";
+  fs::path file = folder / "index.html";
   write_file_atomically(file, index_html(page));
   return file;
 }

@@ -108,8 +108,8 @@ StudyTable study_table(const std::vector<StudyRecord>& records) {
     table.has_members = table.has_members || record.member > 0;
   }
   std::ranges::sort(table.spacings, std::ranges::greater());
-  const auto repeated = std::ranges::unique(table.spacings);
-  table.spacings.erase(repeated.begin(), repeated.end());
+  table.spacings.erase(std::unique(table.spacings.begin(), table.spacings.end()),
+                       table.spacings.end());
 
   for (const std::string& label : labels_of(records)) {
     StudyRow row;

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <string>
@@ -8,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "run/new_case.hpp"
+#include "run/scene.hpp"
 #include "run/simulation.hpp"
 #include "run/study_plan.hpp"
 #include "run/study_record.hpp"
@@ -150,6 +152,25 @@ TEST_F(Study, GivesEachMemberItsSeed) {
   StudyRequest wide = request({4, 5}, 2);
   wide.overrides.push_back({"release", "jitter", 0.25});
   EXPECT_EQ(study_plan(wide)[0].c.release.jitter, 0.25);
+}
+
+// What the model and the measurements take from the release must not differ between members.
+TEST_F(Study, JitterMovesParticlesAndNothingElse) {
+  Faults faults;
+  const Scene still = make_scene(study_plan(request({4, 5}))[1].c, faults);
+  const Scene moved = make_scene(study_plan(request({4, 5}, 2))[3].c, faults);
+  ASSERT_TRUE(faults.empty());
+  EXPECT_EQ(moved.release_depth, still.release_depth);
+  EXPECT_EQ(moved.release_centre, still.release_centre);
+  EXPECT_EQ(moved.release.density, still.release.density);
+  EXPECT_EQ(moved.release.mass, still.release.mass);
+  double farthest = 0;
+  for (std::size_t i = 0; i < still.release.size(); ++i) {
+    const Vec3d shift = moved.release.position[i] - still.release.position[i];
+    farthest = std::max({farthest, std::abs(shift.x), std::abs(shift.y)});
+  }
+  EXPECT_LE(farthest, member_jitter * 4);
+  EXPECT_GT(farthest, 0.8 * member_jitter * 4);
 }
 
 TEST_F(Study, RefusesWhatIsNoStudy) {
