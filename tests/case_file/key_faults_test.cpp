@@ -86,7 +86,7 @@ TEST(KeyFaults, UnknownWord) {
               ElementsAre("case.toml:11 numerics.boundary_stress: \"ownn\" is not known; "
                           "give \"own\", \"mirror\" or \"none\""));
   EXPECT_THAT(added("method = 2"),
-              ElementsAre("case.toml:11 numerics.method: found 2; give \"paper\""));
+              ElementsAre("case.toml:11 numerics.method: found 2; give \"fast\" or \"paper\""));
 }
 
 TEST(KeyFaults, UnknownKeyWithTheNearestWord) {

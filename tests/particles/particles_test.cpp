@@ -47,7 +47,7 @@ TEST(Particles, EveryFieldHasTheSameLength) {
   p.append(three(), {0, 2});
   p.permute({4, 3, 2, 1});
   int fields = 0;
-  p.for_each_field([&](const char* name, const char*, const char* meaning, const auto& values) {
+  p.for_each_shown_field([&](const char* name, const char*, const char* meaning, const auto& values) {
     ++fields;
     EXPECT_EQ(values.size(), 4u) << name;
     EXPECT_STRNE(meaning, "");
