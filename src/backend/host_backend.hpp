@@ -73,7 +73,7 @@ class HostBackend : public Backend {
  private:
   double held_to_places(double density, std::size_t i, double catch_up) const;
   template <class Law>
-  WallContact contact_of(const Law& law, std::size_t i) const;
+  WallContact contact_of(const Law& law, std::size_t i, const Vec3d& normal, double distance) const;
   template <class Law>
   void stress_of(const Law& law, Particles& particles, std::size_t offset, bool carries_stress);
 

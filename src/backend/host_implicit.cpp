@@ -17,11 +17,9 @@ constexpr double crowding_time = 3;  // smoothing lengths over the speed of soun
 
 /// Everything a wall law needs of the flow at particle i, whose share of the wall is known.
 template <class Law>
-WallContact HostBackend::contact_of(const Law& law, std::size_t i) const {
+WallContact HostBackend::contact_of(const Law& law, std::size_t i, const Vec3d& normal,
+                                    double distance) const {
   const WallShare& wall = wall_share_[i];
-  const double length = norm(wall.gradient);
-  const Vec3d normal = (-1 / length) * wall.gradient;
-  const double distance = std::max(half_space_.distance(wall.share), 0.25 * model_.spacing);
   const Vec3d relative = fluid_.velocity[i] - (1 / wall.share) * wall.velocity;
   const Vec3d along = relative - dot(relative, normal) * normal;
 
@@ -42,6 +40,7 @@ WallContact HostBackend::contact_of(const Law& law, std::size_t i) const {
 
 void HostBackend::wall_resistance() {
   const PassClock clock(pass_times_, "wall law");
+  const double nearest = 0.25 * model_.spacing;
   const auto with = [&](const auto& law, const auto& wall_law) {
     over_rows(awake_, threads_, [&](std::size_t i) {
       const WallShare& wall = wall_share_[i];
@@ -49,13 +48,14 @@ void HostBackend::wall_resistance() {
       wall_slope_[i] = {};
       // A particle whose kernel barely touches the wall has no direction to it.
       if (!(wall.share > 1e-6) || !(norm(wall.gradient) > 0)) return;
-      const WallContact at = contact_of(law, i);
+      const double steepness = norm(wall.gradient);
+      const Vec3d normal = (-1 / steepness) * wall.gradient;
+      const double distance = std::max(half_space_.distance(wall.share), nearest);
       // The areas 2 V |grad S| of all particles add up to that of the wall, since the integral of
       // |dS/dd| over the distance is 1/2.
-      const double area = 2 * fluid_.mass[i] / model_.state.rho0 * norm(wall.gradient);
-      wall_drag_[i] = area * wall_law.resistance(at);
-      const double distance = std::max(half_space_.distance(wall.share), 0.25 * model_.spacing);
-      wall_slope_[i] = (-1 / (norm(wall.gradient) * distance)) * wall.gradient;
+      const double area = 2 * fluid_.mass[i] / model_.state.rho0 * steepness;
+      wall_drag_[i] = area * wall_law.resistance(contact_of(law, i, normal, distance));
+      wall_slope_[i] = (1 / distance) * normal;
     });
   };
   std::visit(with, model_.rheology, model_.wall);

@@ -47,11 +47,12 @@ TEST(Particles, EveryFieldHasTheSameLength) {
   p.append(three(), {0, 2});
   p.permute({4, 3, 2, 1});
   int fields = 0;
-  p.for_each_shown_field([&](const char* name, const char*, const char* meaning, const auto& values) {
-    ++fields;
-    EXPECT_EQ(values.size(), 4u) << name;
-    EXPECT_STRNE(meaning, "");
-  });
+  p.for_each_shown_field(
+      [&](const char* name, const char*, const char* meaning, const auto& values) {
+        ++fields;
+        EXPECT_EQ(values.size(), 4u) << name;
+        EXPECT_STRNE(meaning, "");
+      });
   EXPECT_EQ(fields, 8);
 }
 

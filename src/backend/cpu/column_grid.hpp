@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "backend/cpu/index_run.hpp"
 #include "math/vec3.hpp"
 
 namespace sabo {
@@ -22,44 +23,50 @@ class ColumnGrid {
   std::vector<std::uint32_t> sorted_order(const std::vector<Vec3d>& position,
                                           const std::vector<std::uint32_t>& id, int threads);
 
-  /// Calls f(first, last) for the particles of each column within `radius` of x in plan, cut to
-  /// heights within `radius`. Positions must be those of the last sorted_order(), in that order.
-  template <class F>
-  void for_each_run(const std::vector<Vec3d>& position, const Vec3d& x, double radius,
-                    const F& f) const;
+  /// The particles near one place after another, see below.
+  class Runs;
 
  private:
-  int column_x(double x) const;
-  int column_y(double y) const;
+  std::int64_t lattice(double x) const { return static_cast<std::int64_t>(std::floor(x / width_)); }
 
-  Vec3d low_;
   double width_ = 1;
+  std::int64_t west_ = 0;  // number of the first column; columns of all grids stand on one lattice
+  std::int64_t south_ = 0;
   int nx_ = 0;
   int ny_ = 0;
   std::vector<std::uint32_t> first_;  // nx ny + 1
 };
 
-template <class F>
-void ColumnGrid::for_each_run(const std::vector<Vec3d>& position, const Vec3d& x, double radius,
-                              const F& f) const {
-  if (nx_ == 0) return;
-  const int x0 = std::max(0, static_cast<int>(std::floor((x.x - radius - low_.x) / width_)));
-  const int x1 = std::min(nx_ - 1, static_cast<int>(std::floor((x.x + radius - low_.x) / width_)));
-  const int y0 = std::max(0, static_cast<int>(std::floor((x.y - radius - low_.y) / width_)));
-  const int y1 = std::min(ny_ - 1, static_cast<int>(std::floor((x.y + radius - low_.y) / width_)));
-  const auto below = [](const Vec3d& p, double z) { return p.z < z; };
-  for (int iy = y0; iy <= y1; ++iy) {
-    for (int ix = x0; ix <= x1; ++ix) {
-      const std::size_t column = static_cast<std::size_t>(iy) * nx_ + ix;
-      const auto begin = position.begin() + first_[column];
-      const auto end = position.begin() + first_[column + 1];
-      auto run = std::lower_bound(begin, end, x.z - radius, below);
-      const auto stop = std::lower_bound(run, end, x.z + radius, below);
-      if (run != stop)
-        f(static_cast<std::uint32_t>(run - position.begin()),
-          static_cast<std::uint32_t>(stop - position.begin()));
-    }
-  }
-}
+/// Runs of particles near a place: one of each column around it, cut to heights within about a
+/// radius that is at most the width of the columns. Places that come in the order of a grid with
+/// the same width, column by column from below, find the next runs beside the last ones.
+class ColumnGrid::Runs {
+ public:
+  /// Positions must be those of the grid's last sorted_order(), in that order.
+  Runs(const ColumnGrid& grid, const std::vector<Vec3d>& position, double radius)
+      : grid_(grid), position_(position), radius_(radius) {}
+
+  /// Finds runs that hold all particles near x, and a few more.
+  void move_to(const Vec3d& x);
+
+  int count() const { return count_; }
+  const IndexRun* runs() const { return runs_; }
+  /// Particles in all runs.
+  std::size_t size() const;
+
+ private:
+  void enter(std::int64_t column_x, std::int64_t column_y, double z);
+
+  const ColumnGrid& grid_;
+  const std::vector<Vec3d>& position_;
+  double radius_;
+  std::int64_t column_x_ = 0, column_y_ = 0;
+  double low_ = 0;  // heights that the runs are good for
+  double high_ = 0;
+  bool is_inside_ = false;  // whether the runs belong to the column and heights above
+  int count_ = 0;
+  IndexRun runs_[9];
+  std::uint32_t end_[9];  // of the columns
+};
 
 }  // namespace sabo

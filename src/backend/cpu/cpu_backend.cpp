@@ -30,7 +30,7 @@ CpuBackend::CpuBackend(const FlowModel& model, const PairSweeps& sweeps)
 }
 
 void CpuBackend::list_pairs() {
-  NeighbourSearch search(model_.periodic, list_radius(), threads());
+  NeighbourSearch search(model_.periodic, list_radius(), threads(), sweeps_);
   {
     const PassClock clock(pass_times_, "sort");
     search.sort(fluid_, boundary_);
@@ -42,7 +42,7 @@ void CpuBackend::list_pairs() {
     boundary_pairs_ = list_.pairs(fluid_.size(), list_.size());
     pass_times_["neighbour search"].pairs += fluid_pairs_ + boundary_pairs_;
   }
-  listed_position_ = fluid_.position;
+  age_.start(fluid_.position, list_radius(), model_.periodic.any());
   set_scale();
   awake_.resize(fluid_.size());
   std::iota(awake_.begin(), awake_.end(), 0U);
@@ -88,18 +88,8 @@ void CpuBackend::set_scale() {
 
 bool CpuBackend::neighbours_are_stale(double margin) const {
   const PassClock clock(pass_times_, "checks and sums");
-  if (listed_position_.size() != fluid_.size() || list_.size() != fluid_.size() + boundary_.size())
-    return true;
-  double moved2 = 0;
-  const Index count = static_cast<Index>(fluid_.size());
-#pragma omp parallel for num_threads(threads()) if (count > worth_threads) schedule(static) \
-    reduction(max                                                                           \
-              : moved2)
-  for (Index i = 0; i < count; ++i) {
-    const Vec3d d = fluid_.position[i] - listed_position_[i];
-    moved2 = std::max(moved2, dot(d, d));
-  }
-  return std::sqrt(moved2) + margin > 0.5 * skin_;
+  if (list_.size() != fluid_.size() + boundary_.size()) return true;
+  return age_.is_stale(fluid_.position, skin_, margin);
 }
 
 void CpuBackend::pack_motion() {

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "backend/cpu/list_age.hpp"
 #include "backend/cpu/pair_list.hpp"
 #include "backend/cpu/pair_sweeps.hpp"
 #include "backend/cpu/records.hpp"
@@ -40,8 +41,8 @@ class CpuBackend : public HostBackend {
 
   const PairSweeps& sweeps_;
   double skin_;
-  std::vector<Vec3d> listed_position_;  // fluid, when the list was made
-  Vec3d centre_;                        // of all particles; zero of the integer positions
+  ListAge age_;
+  Vec3d centre_;  // of all particles; zero of the integer positions
   PairScale scale_;
   PairList list_;
   std::size_t fluid_pairs_ = 0;     // listed by fluid particles

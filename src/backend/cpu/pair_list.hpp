@@ -34,10 +34,10 @@ class PairList {
 
   std::size_t chunk_count() const { return chunks_.size(); }
   /// Entries stored for chunk c.
-  std::size_t chunk_length(std::size_t c) const { return chunks_[c].size(); }
+  std::size_t chunk_length(std::size_t c) const { return chunks_[c].used; }
   std::size_t size() const { return rows_.size(); }
   Row row(std::size_t i) const {
-    const std::uint32_t* base = chunks_[i / chunk].data();
+    const std::uint32_t* base = chunks_[i / chunk].entries.data();
     const Offsets& o = rows_[i];
     return {base + o.fluid, base + o.boundary, base + o.end};
   }
@@ -50,34 +50,52 @@ class PairList {
     return sum;
   }
 
-  /// Fills one chunk: `append(i, part, neighbours)` appends the neighbours of i, part 0 fluid and
-  /// part 1 boundary. Chunks may be filled by different threads; the outcome does not depend on it.
+  /// The entries of one chunk while they are written. Their memory is kept from list to list.
+  class Chunk {
+   public:
+    /// Where the next entries go, with room for `count` of them and a vector more.
+    std::uint32_t* room(std::size_t count) {
+      if (used + count + lanes > entries.size()) entries.resize(2 * (used + count + lanes));
+      return entries.data() + used;
+    }
+    void advance(std::size_t count) { used += count; }
+
+   private:
+    friend class PairList;
+    std::vector<std::uint32_t> entries;
+    std::size_t used = 0;
+  };
+
+  /// Fills one chunk: `append(i, part, chunk)` appends the neighbours of i, part 0 fluid and part 1
+  /// boundary. Chunks may be filled by different threads; the outcome does not depend on it.
   template <class Append>
   void fill_chunk(std::size_t c, const Append& append) {
-    std::vector<std::uint32_t>& list = chunks_[c];
-    list.clear();
+    Chunk& list = chunks_[c];
+    list.used = 0;
     const std::size_t last = std::min(rows_.size(), (c + 1) * chunk);
     for (std::size_t i = c * chunk; i < last; ++i) {
-      rows_[i].fluid = static_cast<std::uint32_t>(list.size());
+      rows_[i].fluid = static_cast<std::uint32_t>(list.used);
       append(i, 0, list);
       rows_[i].padding = pad(list, rows_[i].fluid, i);
-      rows_[i].boundary = static_cast<std::uint32_t>(list.size());
+      rows_[i].boundary = static_cast<std::uint32_t>(list.used);
       append(i, 1, list);
       rows_[i].padding += pad(list, rows_[i].boundary, i);
-      rows_[i].end = static_cast<std::uint32_t>(list.size());
+      rows_[i].end = static_cast<std::uint32_t>(list.used);
     }
   }
 
  private:
   /// Returns how many entries it appended.
-  static std::uint32_t pad(std::vector<std::uint32_t>& list, std::size_t start, std::size_t self) {
-    const std::size_t before = list.size();
-    while ((list.size() - start) % lanes != 0) list.push_back(static_cast<std::uint32_t>(self));
-    return static_cast<std::uint32_t>(list.size() - before);
+  static std::uint32_t pad(Chunk& list, std::size_t start, std::size_t self) {
+    const std::size_t count = (lanes - (list.used - start) % lanes) % lanes;
+    std::uint32_t* to = list.room(count);
+    for (std::size_t k = 0; k < count; ++k) to[k] = static_cast<std::uint32_t>(self);
+    list.advance(count);
+    return static_cast<std::uint32_t>(count);
   }
 
   std::vector<Offsets> rows_;
-  std::vector<std::vector<std::uint32_t>> chunks_;
+  std::vector<Chunk> chunks_;
 };
 
 }  // namespace sabo

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "backend/cpu/index_run.hpp"
 #include "backend/cpu/near_pairs.hpp"
 #include "backend/cpu/pair_list.hpp"
 #include "backend/cpu/records.hpp"
@@ -108,6 +109,19 @@ struct ViscousProductTask {
   double dot[3];   ///< out, p.q of the range by component
 };
 
+/// The points of some runs within a radius of a place. The arrays must reach PairList::lanes beyond
+/// the runs, and so must `near` beyond what fits into it.
+struct NearTask {
+  const float *points_x, *points_y, *points_z;  ///< m
+  const IndexRun* runs;
+  int run_count;
+  float x, y, z;
+  float radius2;         ///< m2
+  std::uint32_t offset;  ///< added to the place in the arrays, gives the index
+  std::uint32_t self;    ///< index left out
+  std::uint32_t* near;   ///< out, indices
+};
+
 /// The sums over pairs that take nearly all of the time, for one instruction set.
 struct PairSweeps {
   const char* instruction_set;
@@ -119,6 +133,8 @@ struct PairSweeps {
   void (*near_force)(const NearForceTask&);
   void (*near_motion)(const NearMotionTask&);
   void (*viscous_product)(ViscousProductTask&);
+  /// Returns how many it wrote.
+  std::size_t (*near_search)(const NearTask&);
 };
 
 /// The sweeps for every instruction set this machine has, the widest last.

@@ -82,9 +82,9 @@ HWY_INLINE void add_fluid_forces(const Constants& s, const NearForceTask& task, 
           artificial_force(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
     }
     const auto is_near = hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag()));
-    const std::size_t count = hn::CompressStore(
-        hn::LoadU(indices, k), hn::RebindMask(indices, is_near), indices, task.near->index());
-    hn::CompressStore(a.v, is_near, Lanes::Tag(), task.near->conductance());
+    const std::size_t count = store_picked(indices, hn::LoadU(indices, k),
+                                           hn::RebindMask(indices, is_near), task.near->index());
+    store_picked(Lanes::Tag(), a.v, is_near, task.near->conductance());
     task.near->advance(count);
   }
 }
@@ -113,8 +113,8 @@ HWY_INLINE void add_wall_forces(const Constants& s, const NearForceTask& task, s
           artificial_force(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
     }
     const auto is_near = hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag()));
-    task.near->advance(hn::CompressStore(hn::LoadU(indices, k), hn::RebindMask(indices, is_near),
-                                         indices, task.near->index()));
+    task.near->advance(store_picked(indices, hn::LoadU(indices, k),
+                                    hn::RebindMask(indices, is_near), task.near->index()));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "backend/cpu/pair_sweeps.hpp"
 
 #include "backend/cpu/simd/implicit_sweeps.hpp"
+#include "backend/cpu/simd/near_search.hpp"
 #include "backend/cpu/simd/pair_constants.hpp"
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
@@ -141,6 +142,6 @@ extern const PairSweeps SABO_SWEEPS;
 const PairSweeps SABO_SWEEPS{
     hwy::TargetName(HWY_STATIC_TARGET), HWY_NAMESPACE::motion,     HWY_NAMESPACE::force,
     HWY_NAMESPACE::wall_pressure,       HWY_NAMESPACE::near_force, HWY_NAMESPACE::near_motion,
-    HWY_NAMESPACE::viscous_product};
+    HWY_NAMESPACE::viscous_product,     HWY_NAMESPACE::near_search};
 
 }  // namespace sabo
