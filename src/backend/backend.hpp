@@ -75,6 +75,10 @@ class Backend {
   /// Moves density and position over the step, then finds the pressure of the fluid and its
   /// effective viscosity.
   virtual void advance_state(double dt) = 0;
+  /// Lets calm particles fall asleep and wakes those whose neighbours move. A sleeping particle is
+  /// at rest, keeps its pressure, and is a neighbour to the others as before.
+  virtual void update_sleep() = 0;
+  virtual std::size_t asleep_count() const = 0;
   /// Another speed of sound (m/s); densities change so that pressures do not.
   virtual void set_sound_speed(double c0) = 0;
 

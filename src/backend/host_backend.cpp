@@ -95,7 +95,7 @@ void HostBackend::extrapolate_to_boundary() {
 #pragma omp for schedule(static)
     for (Index b = 0; b < walls; ++b) {
       near.clear();
-      fluid_near(b, near);
+      fluid_near(fluid_.size() + static_cast<std::size_t>(b), near);
       double weight = 0;
       double pressure = 0;
       for (const std::uint32_t j : near) {
@@ -114,11 +114,12 @@ FlowExtremes HostBackend::extremes() const {
   double speed2 = 0;
   double acceleration2 = 0;
   double viscosity = 0;
-  const Index count = static_cast<Index>(fluid_.size());
+  const Index count = static_cast<Index>(awake_.size());
 #pragma omp parallel for num_threads(threads_) if (count > worth_threads) schedule(static) \
     reduction(max                                                                          \
               : speed2, acceleration2, viscosity)
-  for (Index i = 0; i < count; ++i) {
+  for (Index k = 0; k < count; ++k) {
+    const std::size_t i = awake_[k];
     // A particle in free flight interacts with nobody: it must not set everybody's step.
     if (!has_neighbours_[i]) continue;
     speed2 = std::max(speed2, dot(fluid_.velocity[i], fluid_.velocity[i]));

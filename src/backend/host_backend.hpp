@@ -31,6 +31,8 @@ class HostBackend : public Backend {
   void correct(double dt) override;
   void wall_resistance() override;
   void advance_state(double dt) override;
+  void update_sleep() override;
+  std::size_t asleep_count() const override { return fluid_.size() - awake_.size(); }
   void set_sound_speed(double c0) override;
   const std::vector<Vec3d>& accelerations() const override { return acceleration_; }
   const std::vector<double>& density_rates() const override { return density_rate_; }
@@ -38,12 +40,16 @@ class HostBackend : public Backend {
  protected:
   /// Lists the pairs of the present positions, reordering the particles if it likes.
   virtual void list_pairs() = 0;
-  /// Appends each fluid particle within the kernel of boundary particle b, once; some that are a
-  /// little farther may be among them.
-  virtual void fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const = 0;
+  /// Appends each fluid particle within the kernel of particle i, boundary particles counting from
+  /// the last fluid one, once and without i; some that are a little farther may be among them.
+  virtual void fluid_near(std::size_t i, std::vector<std::uint32_t>& near) const = 0;
 
   int threads() const { return threads_; }
 
+  /// To be called when another set of particles is awake.
+  virtual void prepare_rows() = 0;
+  bool is_asleep(std::size_t i) const;
+  void list_awake();
   /// Density gradients that density diffusion leaves alone.
   void find_diffusion_background();
   /// Shear rate and effective viscosity of the fluid from its strain rate and pressure.
@@ -71,6 +77,8 @@ class HostBackend : public Backend {
   std::vector<Filling> filling_;
 
  private:
+  bool is_calm(std::size_t i) const;
+  bool touches_motion(std::size_t i, std::vector<std::uint32_t>& near) const;
   double held_to_places(double density, std::size_t i, double catch_up) const;
   template <class Law>
   WallContact contact_of(const Law& law, std::size_t i, const Vec3d& normal, double distance) const;

@@ -107,6 +107,7 @@ void HostBackend::advance_state(double dt) {
     // Nothing presses on a particle by itself.
     if (!has_neighbours_[i]) fluid_.density[i] = rho0;
     fluid_.position[i] += dt * fluid_.velocity[i];
+    fluid_.calm[i] = is_calm(i) ? fluid_.calm[i] + dt : 0;
     fluid_.pressure[i] = state.pressure(fluid_.density[i]);
   });
   find_viscosity();

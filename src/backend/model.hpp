@@ -11,6 +11,16 @@
 
 namespace sabo {
 
+/// When particles of a deposit stop taking part in the sweeps.
+struct SleepRule {
+  double speed = 0;   ///< slower than this a particle is calm, m/s; 0: none ever sleeps
+  double time = 0.5;  ///< s for which it must have been calm
+  /// A neighbour at more than this multiple of the speed wakes it.
+  static constexpr double waking = 2;
+  /// Share of its yield stress that a calm particle may carry.
+  static constexpr double yield_share = 0.9;
+};
+
 /// Everything the sweeps need to know besides the particles; constant during a run.
 struct FlowModel {
   int dimension = 3;   ///< 3, or 2 in the x-z plane (one particle wide, y = 0)
@@ -25,9 +35,11 @@ struct FlowModel {
   double artificial_viscosity = 0;  ///< Monaghan's alpha
   ViscousOperator viscous_operator = ViscousOperator::nested;
   BoundaryStress boundary_stress = BoundaryStress::own;
-  WallShear wall = NoSlip{};  ///< of the implicit method
+  BoundaryPressure boundary_pressure = BoundaryPressure::dynamic;  ///< of the method of the paper
+  WallShear wall = NoSlip{};                                       ///< of the implicit method
   bool as_printed = false;
   double crowding_tolerance = 0.03;  ///< of the implicit method: filling beyond density
+  SleepRule sleep;                   ///< of the implicit method, for laws with a yield stress
   bool walls_move = false;           ///< boundary particles may have velocities
   Periodic periodic;
   int threads = 0;  ///< 0: all

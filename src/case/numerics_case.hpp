@@ -15,6 +15,12 @@ struct Words<Method> {
   static constexpr std::array<std::string_view, 2> list{"fast", "paper"};
 };
 
+enum class WallLaw { no_slip, coulomb, voellmy, slip };
+template <>
+struct Words<WallLaw> {
+  static constexpr std::array<std::string_view, 4> list{"no_slip", "coulomb", "voellmy", "slip"};
+};
+
 enum class BackendKind { reference, cpu };
 template <>
 struct Words<BackendKind> {
@@ -35,12 +41,20 @@ struct NumericsCase {
   double artificial_viscosity = 0;
   ViscousOperator viscous_operator = ViscousOperator::nested;
   BoundaryStress boundary_stress = BoundaryStress::own;
+  BoundaryPressure boundary_pressure = BoundaryPressure::dynamic;
   bool as_printed = false;
   double cfl = 0.6;
   std::optional<double> viscous_cfl;
   double viscous_tolerance = 1e-3;
   int viscous_iterations = 100;
   bool adaptive_sound_speed = true;
+  WallLaw wall = WallLaw::no_slip;
+  double wall_friction_angle = 0;
+  double wall_cohesion = 0;
+  double wall_turbulence = 500;
+  double sleep_speed = 0.005;
+  double sleep_time = 0.5;
+  double crowding_tolerance = 0.03;
   double gravity = 9.81;
 
   template <class V>
@@ -83,12 +97,18 @@ struct NumericsCase {
           .at_most(10),
       artificial_viscosity);
     v(Key{"viscous_operator", "",
-          "nested: divergence of the stress tensor (Eq. 18); morris: two-point (Morris 1997)"},
+          "paper: nested: divergence of the stress tensor (Eq. 18); morris: two-point (Morris "
+          "1997)"},
       viscous_operator);
     v(Key{"boundary_stress", "",
-          "stress that boundary particles carry: own, mirror (own, with the wall moving against "
+          "paper: stress that boundary particles carry: own, mirror (own, with the wall moving "
+          "against "
           "the flow) or none; it decides the mobility"},
       boundary_stress);
+    v(Key{"boundary_pressure", "",
+          "paper: dynamic, boundary particles obey continuity; extrapolated, from the fluid near "
+          "them, as the fast method does"},
+      boundary_pressure);
     v(Key{"as_printed", "", "keep the printed factor 1/2 of Eqs. 16-17, which halves viscosity"},
       as_printed);
     v(Key{"cfl", "",
@@ -116,6 +136,33 @@ struct NumericsCase {
     v(Key{"adaptive_sound_speed", "",
           "fast: the sound speed follows the fastest flow, down to that of the depth"},
       adaptive_sound_speed);
+    v(Key{"wall", "",
+          "fast: shear between flow and ground or dams: no_slip (that of the material), coulomb, "
+          "voellmy (coulomb and turbulence) or slip"},
+      wall);
+    v(Key{"wall_friction_angle", "deg", "of coulomb and voellmy, on the effective pressure"}
+          .at_least(0)
+          .at_most(60),
+      wall_friction_angle);
+    v(Key{"wall_cohesion", "Pa", "of coulomb and voellmy"}.at_least(0).at_most(1e9), wall_cohesion);
+    v(Key{"wall_turbulence", "m/s2", "xi of voellmy: adds the stress rho g v^2 / xi"}
+          .above(0)
+          .at_most(1e9),
+      wall_turbulence);
+    v(Key{"sleep_speed", "m/s",
+          "fast: material with a yield stress that is slower than this and below yield falls "
+          "asleep, and wakes when material near it moves; 0: never"}
+          .at_least(0)
+          .at_most(1),
+      sleep_speed);
+    v(Key{"sleep_time", "s", "fast: for which it must have been so"}.at_least(0).at_most(1e6),
+      sleep_time);
+    v(Key{"crowding_tolerance", "",
+          "fast: difference between density and the places of the particles, as a share, beyond "
+          "which density follows the places"}
+          .above(0)
+          .at_most(1),
+      crowding_tolerance);
     v(Key{"gravity", "m/s2", "acceleration of gravity, downwards"}.at_least(0).at_most(1000),
       gravity);
   }

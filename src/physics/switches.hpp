@@ -19,6 +19,16 @@ struct Words<BoundaryStress> {
   static constexpr std::array<std::string_view, 3> list{"own", "mirror", "none"};
 };
 
+/// Where boundary particles have their pressure from.
+enum class BoundaryPressure {
+  dynamic,       ///< their own density, which obeys continuity (Crespo et al. 2007)
+  extrapolated,  ///< that of the fluid near them (Adami et al. 2012)
+};
+template <>
+struct Words<BoundaryPressure> {
+  static constexpr std::array<std::string_view, 2> list{"dynamic", "extrapolated"};
+};
+
 enum class ViscousOperator {
   nested,  ///< divergence of the stress tensor, two sweeps (paper Eq. 18)
   morris,  ///< two-point Laplacian, one sweep (Morris et al. 1997)

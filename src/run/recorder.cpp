@@ -70,10 +70,11 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       rest_csv_(folder.series() / "rest.csv",
                 {"time [s]", "moving volume [m3]", "kinetic energy over its peak",
                  "creep [spacings/min]"}),
-      solver_csv_(folder.series() / "solver.csv",
-                  {"time [s]", "step [count]", "time step [s]", "fastest [m/s]",
-                   "lowest density ratio", "highest density ratio", "fluid [count]",
-                   "boundary [count]", "sound speed [m/s]", "viscous iterations [count]"}) {
+      solver_csv_(
+          folder.series() / "solver.csv",
+          {"time [s]", "step [count]", "time step [s]", "fastest [m/s]", "lowest density ratio",
+           "highest density ratio", "fluid [count]", "boundary [count]", "sound speed [m/s]",
+           "viscous iterations [count]", "asleep [count]"}) {
   for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
   for (const NamedZone& zone : scene.zones)
     zones_.emplace_back(scene.surface->elevation(), zone.polygons);
@@ -163,7 +164,8 @@ void Recorder::write_solver_row(const Stepper& stepper, const StepReport& report
                       report.flow.speed, health.min_density_ratio, health.max_density_ratio,
                       static_cast<double>(backend.fluid().size()),
                       static_cast<double>(backend.boundary().size()), report.sound_speed,
-                      static_cast<double>(report.iterations)});
+                      static_cast<double>(report.iterations),
+                      static_cast<double>(backend.asleep_count())});
 }
 
 }  // namespace sabo

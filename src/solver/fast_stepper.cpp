@@ -11,6 +11,7 @@ namespace {
 constexpr double sound_decay = 0.98;  // per step, so that one impact is soon forgotten
 constexpr double acceleration_cfl = 0.25;
 constexpr int most_halvings = 20;
+constexpr std::size_t sleep_interval = 16;  // steps
 
 }  // namespace
 
@@ -27,6 +28,7 @@ FastStepper::FastStepper(Backend& backend, const FastRule& rule, Domain* domain)
 }
 
 StepReport FastStepper::advance(double longest) {
+  if (steps() % sleep_interval == 0) backend_.update_sleep();
   // All sums are taken where the particles are now.
   if (backend_.neighbours_are_stale(0)) renew_neighbours();
   follow_the_flow(backend_.extremes().speed);

@@ -2,8 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sabo {
+
+namespace {
+
+WallShear wall_shear(const NumericsCase& numerics) {
+  const double slope = std::tan(numerics.wall_friction_angle * std::numbers::pi / 180);
+  const Coulomb friction{numerics.wall_cohesion, slope};
+  switch (numerics.wall) {
+    case WallLaw::coulomb:
+      return friction;
+    case WallLaw::voellmy:
+      return Voellmy{friction, numerics.wall_turbulence};
+    case WallLaw::slip:
+      return Slip{};
+    case WallLaw::no_slip:
+      break;
+  }
+  return NoSlip{};
+}
+
+}  // namespace
 
 FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
                      double release_depth) {
@@ -21,6 +42,10 @@ FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
   model.artificial_viscosity = numerics.artificial_viscosity;
   model.viscous_operator = numerics.viscous_operator;
   model.boundary_stress = numerics.boundary_stress;
+  model.boundary_pressure = numerics.boundary_pressure;
+  model.wall = wall_shear(numerics);
+  model.crowding_tolerance = numerics.crowding_tolerance;
+  if (has_yield(material.law)) model.sleep = {numerics.sleep_speed, numerics.sleep_time};
   model.as_printed = numerics.as_printed;
   model.threads = numerics.threads;
   return model;

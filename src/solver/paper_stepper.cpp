@@ -31,6 +31,8 @@ StepReport PaperStepper::advance(double longest) {
 
 void PaperStepper::evaluate() {
   backend_.pressure();
+  if (backend_.model().boundary_pressure == BoundaryPressure::extrapolated)
+    backend_.wall_pressure();
   backend_.strain_and_density_rates();
   backend_.stress();
   backend_.momentum();

@@ -138,6 +138,9 @@ Case arbitrary_case() {
   c.numerics.reference_speed += 0.1;  // for the case without gravity
   c.numerics.viscous_operator = chance() ? ViscousOperator::nested : ViscousOperator::morris;
   c.numerics.threads = *rc::gen::inRange(0, 9);
+  c.numerics.method = Method::fast;  // whose wall takes every key
+  c.numerics.wall = WallLaw::voellmy;
+  c.numerics.wall_friction_angle += 0.1;
   c.run.describe(Randomise{});
   return c;
 }
@@ -152,6 +155,8 @@ RC_GTEST_PROP(WriteCase, ReadingItBackGivesTheSameCase, ()) {
   // The text could leave something out on both ways; a few members are compared themselves.
   RC_ASSERT(back.title == c.title);
   RC_ASSERT(back.numerics.spacing == c.numerics.spacing);
+  RC_ASSERT(back.numerics.wall == c.numerics.wall);
+  RC_ASSERT(back.numerics.wall_turbulence == c.numerics.wall_turbulence);
   RC_ASSERT(back.numerics.viscous_operator == c.numerics.viscous_operator);
   RC_ASSERT(back.material.law.index() == c.material.law.index());
   RC_ASSERT(back.material.yield.cohesion == c.material.yield.cohesion);

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <numeric>
 #include <string>
 
 #include "backend/cpu/neighbour_search.hpp"
@@ -44,13 +43,11 @@ void CpuBackend::list_pairs() {
   }
   age_.start(fluid_.position, list_radius(), model_.periodic.any());
   set_scale();
-  awake_.resize(fluid_.size());
-  std::iota(awake_.begin(), awake_.end(), 0U);
-  prepare_near();
+  list_awake();
+  prepare_rows();
 }
 
-void CpuBackend::fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const {
-  const std::size_t self = fluid_.size() + b;
+void CpuBackend::fluid_near(std::size_t self, std::vector<std::uint32_t>& near) const {
   const PairList::Row row = list_.row(self);
   std::copy_if(row.fluid, row.boundary, std::back_inserter(near),
                [&](std::uint32_t j) { return j != self; });

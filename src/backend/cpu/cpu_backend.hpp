@@ -29,13 +29,13 @@ class CpuBackend : public HostBackend {
 
  protected:
   void list_pairs() override;
-  void fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const override;
+  void prepare_rows() override;
+  void fluid_near(std::size_t self, std::vector<std::uint32_t>& near) const override;
 
  private:
   void set_scale();
   void pack_motion();
   void pack_stress();
-  void prepare_near();
   void pack_flow(const Particles& particles, std::size_t i, FlowRecord& record) const;
   void pack_motion(const Particles& particles, std::size_t i, std::size_t at);
 

@@ -13,8 +13,8 @@ constexpr std::size_t row_block = 128;
 
 }  // namespace
 
-/// What the implicit sweeps keep between two renewals of the neighbour list.
-void CpuBackend::prepare_near() {
+/// What the implicit sweeps keep while the same particles are awake.
+void CpuBackend::prepare_rows() {
   const std::size_t fluids = fluid_.size();
   near_.reset(fluids);
   velocity_step_.reset(fluids);
@@ -23,7 +23,9 @@ void CpuBackend::prepare_near() {
   touched_walls_.clear();
   for (std::size_t b = fluids; b < list_.size(); ++b) {
     const PairList::Row row = list_.row(b);
-    if (row.fluid != row.boundary) touched_walls_.push_back(static_cast<std::uint32_t>(b));
+    const auto is_awake = [&](std::uint32_t j) { return j < fluids && !is_asleep(j); };
+    if (std::any_of(row.fluid, row.boundary, is_awake))
+      touched_walls_.push_back(static_cast<std::uint32_t>(b));
   }
   wall_pressure_.resize(touched_walls_.size());
   chunk_rows_.assign(1, 0);

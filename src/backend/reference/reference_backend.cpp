@@ -1,7 +1,5 @@
 #include "backend/reference/reference_backend.hpp"
 
-#include <numeric>
-
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
@@ -41,15 +39,15 @@ void ReferenceBackend::list_pairs() {
   has_neighbours_.assign(fluid_.size(), 0);
   for (std::size_t i = 0; i < fluid_.size(); ++i)
     for_each_neighbour(i, false, [&](std::size_t, const auto&) { has_neighbours_[i] = 1; });
-  awake_.resize(fluid_.size());
-  std::iota(awake_.begin(), awake_.end(), 0U);
-  velocity_step_.reset(fluid_.size());
+  list_awake();
+  prepare_rows();
 }
 
-void ReferenceBackend::fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const {
-  for_each_neighbour(fluid_.size() + b, true, [&](std::size_t j, const auto&) {
-    near.push_back(static_cast<std::uint32_t>(j));
-  });
+void ReferenceBackend::prepare_rows() { velocity_step_.reset(fluid_.size()); }
+
+void ReferenceBackend::fluid_near(std::size_t i, std::vector<std::uint32_t>& near) const {
+  for_each_neighbour(
+      i, true, [&](std::size_t j, const auto&) { near.push_back(static_cast<std::uint32_t>(j)); });
 }
 
 void ReferenceBackend::strain_and_density_rates() {

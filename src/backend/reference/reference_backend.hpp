@@ -25,7 +25,8 @@ class ReferenceBackend : public HostBackend {
 
  protected:
   void list_pairs() override;
-  void fluid_near(std::size_t b, std::vector<std::uint32_t>& near) const override;
+  void prepare_rows() override;
+  void fluid_near(std::size_t i, std::vector<std::uint32_t>& near) const override;
 
  private:
   /// Calls f(j of all particles, geometry) for each particle within the kernel of particle i.

@@ -215,7 +215,40 @@ void check_concentration(const MaterialCase& material, Faults& faults) {
   }
 }
 
+/// Keys of a wall law that was not chosen would do nothing.
+void check_wall(const NumericsCase& numerics, Faults& faults) {
+  const NumericsCase plain;
+  const bool rubs = numerics.wall == WallLaw::coulomb || numerics.wall == WallLaw::voellmy;
+  const struct {
+    const char* key;
+    bool is_given;
+    bool applies;
+    const char* laws;
+  } rules[] = {
+      {"numerics.wall_friction_angle", numerics.wall_friction_angle != plain.wall_friction_angle,
+       rubs, "\"coulomb\" or \"voellmy\""},
+      {"numerics.wall_cohesion", numerics.wall_cohesion != plain.wall_cohesion, rubs,
+       "\"coulomb\" or \"voellmy\""},
+      {"numerics.wall_turbulence", numerics.wall_turbulence != plain.wall_turbulence,
+       numerics.wall == WallLaw::voellmy, "\"voellmy\""}};
+  for (const auto& rule : rules) {
+    if (!rule.is_given || rule.applies || faults.has("numerics.wall")) continue;
+    faults.add(rule.key, fmt::format("does not apply to wall = \"{}\"", word_of(numerics.wall)),
+               fmt::format("remove it, or choose wall = {}", rule.laws));
+  }
+  if (rubs && numerics.wall_friction_angle == 0 && numerics.wall_cohesion == 0 &&
+      !faults.has("numerics.wall_friction_angle")) {
+    faults.add("numerics.wall_friction_angle", "the wall has neither friction nor cohesion",
+               "give an angle, or choose wall = \"slip\"");
+  }
+  if (numerics.wall != WallLaw::no_slip && numerics.method == Method::paper) {
+    faults.add("numerics.wall", "applies to method \"fast\" only",
+               "remove it, or choose boundary_stress");
+  }
+}
+
 void check_numerics(const NumericsCase& numerics, Faults& faults) {
+  check_wall(numerics, faults);
   if (numerics.gravity == 0 && numerics.reference_speed == 0 &&
       !faults.has("numerics.reference_speed")) {
     faults.add("numerics.reference_speed", "without gravity nothing else sets the sound speed",
