@@ -74,6 +74,7 @@ void add_check_command(CLI::App& program, Action& action) {
       ->type_name("FILE");
   add_case_option(*command, "numerics", "spacing", options->overrides);
   add_case_option(*command, "run", "duration", options->overrides);
+  add_case_option(*command, "numerics", "method", options->overrides);
   command->footer(
       "Examples:\n  sabo check demo\n  sabo check demo --spacing 1.5\n  sabo check --defaults");
   command->callback([&action, options, path] {

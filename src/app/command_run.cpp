@@ -82,6 +82,7 @@ void add_run_command(CLI::App& program, Action& action) {
                     "replace the results of a former run in that folder");
   add_case_option(*command, "numerics", "spacing", options->overrides);
   add_case_option(*command, "run", "duration", options->overrides);
+  add_case_option(*command, "numerics", "method", options->overrides);
   add_case_option(*command, "numerics", "backend", options->overrides);
   add_case_option(*command, "numerics", "threads", options->overrides);
   command->footer(

@@ -77,6 +77,7 @@ void add_study_command(CLI::App& program, Action& action) {
       ->type_name("N");
   add_case_option(*command, "release", "jitter", request.overrides);
   add_case_option(*command, "run", "duration", request.overrides);
+  add_case_option(*command, "numerics", "method", request.overrides);
   add_case_option(*command, "numerics", "backend", request.overrides);
   add_case_option(*command, "numerics", "threads", request.overrides);
   command->footer(

@@ -26,7 +26,8 @@ struct RunFacts {
   double raster_volume = 0;            ///< sum over dep.tif, m3
   double particle_volume = 0;          ///< of the particles in the domain, m3
   double top_speed = 0;                ///< m/s
-  double sound_speed = 0;              ///< m/s
+  double sound_speed = 0;              ///< greatest, m/s
+  double top_mach = 0;                 ///< greatest speed over the sound speed of its time
   ResolutionGuard resolution;
   MotionState motion;  ///< at the end
   std::vector<KeyQuantity> quantities;

@@ -99,6 +99,8 @@ class Simulation {
 
       report = stepper_->step(duration - time);
       facts_.top_speed = std::max(facts_.top_speed, report.flow.speed);
+      facts_.sound_speed = std::max(facts_.sound_speed, report.sound_speed);
+      facts_.top_mach = std::max(facts_.top_mach, report.flow.speed / report.sound_speed);
       recorder_.after_step(stepper_->time(), report, backend_->fluid());
       recorder_.after_renewal(domain_);
       tell_progress(report);
@@ -178,7 +180,6 @@ class Simulation {
     facts_.steps = stepper_->steps();
     facts_.motion = recorder_.motion();
     facts_.boundary_particles = backend_->boundary().size();
-    facts_.sound_speed = model_.state.c0;
     facts_.resolution = resolution_guard(maps.peak_depth, model_.spacing);
     for (const double mass : backend_->fluid().mass)
       facts_.particle_volume += mass / model_.state.rho0;

@@ -34,6 +34,7 @@ TEST(ReadCase, EveryKindOfValue) {
   const Case c = read_without_faults(smallest_case + R"(
 threads = 2
 reference_speed = 20
+method = "paper"
 viscous_operator = "morris"
 as_printed = true
 [material]

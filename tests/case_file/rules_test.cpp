@@ -223,5 +223,28 @@ TEST(Rules, OutputsAreNotWithoutBound) {
                           "give at least 0.1 s"));
 }
 
+TEST(Rules, KeysOfOneMethodAreRefusedByTheOther) {
+  EXPECT_THAT(
+      messages(smallest_case + "viscous_operator = \"morris\"\n"),
+      ElementsAre("case.toml:11 numerics.viscous_operator: applies to method \"paper\" only; "
+                  "remove it, or choose method = \"paper\""));
+  EXPECT_THAT(messages(smallest_case + "method = \"paper\"\nwall = \"slip\"\n"),
+              ElementsAre("case.toml:12 numerics.wall: applies to method \"fast\" only; "
+                          "remove it, or choose boundary_stress"));
+  EXPECT_THAT(messages(smallest_case + "method = \"paper\"\nviscous_operator = \"morris\"\n"),
+              IsEmpty());
+}
+
+TEST(Rules, KeysOfAWallBelongToItsLaw) {
+  EXPECT_THAT(messages(smallest_case + "wall_friction_angle = 20\n"),
+              ElementsAre("case.toml:11 numerics.wall_friction_angle: does not apply to wall = "
+                          "\"no_slip\"; remove it, or choose wall = \"coulomb\" or \"voellmy\""));
+  EXPECT_THAT(messages(smallest_case + "wall = \"coulomb\"\n"),
+              ElementsAre("case.toml:8 numerics.wall_friction_angle: the wall has neither friction "
+                          "nor cohesion; give an angle, or choose wall = \"slip\""));
+  EXPECT_THAT(messages(smallest_case + "wall = \"voellmy\"\nwall_friction_angle = 10\n"),
+              IsEmpty());
+}
+
 }  // namespace
 }  // namespace sabo

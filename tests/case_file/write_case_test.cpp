@@ -107,6 +107,24 @@ ReleaseCase arbitrary_release(const std::filesystem::path& folder) {
   return release;
 }
 
+/// Takes back the keys that do not apply to the method or the wall law.
+void make_consistent(NumericsCase& numerics) {
+  const NumericsCase plain;
+  if (numerics.method == Method::fast) {
+    numerics.wall = WallLaw::voellmy;  // takes every key
+    numerics.wall_friction_angle += 0.1;
+    numerics.viscous_operator = plain.viscous_operator;
+    numerics.boundary_stress = plain.boundary_stress;
+    numerics.boundary_pressure = plain.boundary_pressure;
+    numerics.viscous_cfl.reset();
+  } else {
+    numerics.wall = plain.wall;
+    numerics.wall_friction_angle = plain.wall_friction_angle;
+    numerics.wall_cohesion = plain.wall_cohesion;
+    numerics.wall_turbulence = plain.wall_turbulence;
+  }
+}
+
 Case arbitrary_case() {
   Case c;
   c.folder = folder_with_files();
@@ -136,11 +154,9 @@ Case arbitrary_case() {
   if (chance()) c.references.push_back({"a " + text(), number(0, 9), std::nullopt, number(0, 9)});
   c.numerics.describe(Randomise{});
   c.numerics.reference_speed += 0.1;  // for the case without gravity
-  c.numerics.viscous_operator = chance() ? ViscousOperator::nested : ViscousOperator::morris;
   c.numerics.threads = *rc::gen::inRange(0, 9);
-  c.numerics.method = Method::fast;  // whose wall takes every key
-  c.numerics.wall = WallLaw::voellmy;
-  c.numerics.wall_friction_angle += 0.1;
+  c.numerics.viscous_operator = chance() ? ViscousOperator::nested : ViscousOperator::morris;
+  make_consistent(c.numerics);
   c.run.describe(Randomise{});
   return c;
 }

@@ -247,7 +247,27 @@ void check_wall(const NumericsCase& numerics, Faults& faults) {
   }
 }
 
+/// Switches of the paper's sums would do nothing with the fast method.
+void check_switches(const NumericsCase& numerics, Faults& faults) {
+  if (numerics.method == Method::paper) return;
+  const NumericsCase plain;
+  const struct {
+    const char* key;
+    bool is_given;
+  } switches[] = {{"viscous_operator", numerics.viscous_operator != plain.viscous_operator},
+                  {"boundary_stress", numerics.boundary_stress != plain.boundary_stress},
+                  {"boundary_pressure", numerics.boundary_pressure != plain.boundary_pressure},
+                  {"viscous_cfl", numerics.viscous_cfl.has_value()}};
+  for (const auto& [name, is_given] : switches) {
+    const std::string key = fmt::format("numerics.{}", name);
+    if (is_given && !faults.has(key))
+      faults.add(key, "applies to method \"paper\" only",
+                 "remove it, or choose method = \"paper\"");
+  }
+}
+
 void check_numerics(const NumericsCase& numerics, Faults& faults) {
+  check_switches(numerics, faults);
   check_wall(numerics, faults);
   if (numerics.gravity == 0 && numerics.reference_speed == 0 &&
       !faults.has("numerics.reference_speed")) {

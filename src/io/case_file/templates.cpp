@@ -24,6 +24,7 @@ volume = {volume}  # m3; the raster is scaled to it
 density = 1726  # kg/m3: 44 % solids of 2650 kg/m3 in water
 rheology = "cross"
 viscosity = 1255  # Pa s
+viscosity_ratio = 1000  # as published; creep below yield falls with it
 cohesion = 0  # Pa
 friction_angle = 28
 # r_u, the share of the normal stress carried by pore water. The published run has none: its
@@ -140,8 +141,6 @@ pore_pressure_ratio = 0.5
 # Distance of particles in m: the flow should be at least four of them deep. Start coarse; half the
 # spacing takes sixteen times as long or more.
 spacing = 1.0
-# Fastest speed you expect in m/s: 10 to 20 in steep channels.
-reference_speed = 15
 
 [run]
 duration = 120  # s

@@ -17,7 +17,7 @@ struct Cross {
   static constexpr bool has_yield = true;
 
   double mu_inf = 1255;  ///< plastic viscosity mu_B, Pa s
-  double ratio = 1000;   ///< mu_0 / mu_inf
+  double ratio = 1e4;    ///< mu_0 / mu_inf; the paper has 1000
   double m = 1;          ///< exponent
 
   template <class V>
@@ -26,7 +26,9 @@ struct Cross {
           .above(0)
           .at_most(1e9),
       mu_inf);
-    v(Key{"viscosity_ratio", "", "viscosity at rest mu_0 over mu_B; creep falls with it"}
+    v(Key{"viscosity_ratio", "",
+          "viscosity at rest mu_0 over mu_B; creep falls with it, and so do the steps of method "
+          "paper (the paper has 1000)"}
           .at_least(1)
           .at_most(1e6),
       ratio);

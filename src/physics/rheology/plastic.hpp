@@ -12,14 +12,16 @@ namespace sabo {
 struct Plastic {
   static constexpr bool has_yield = true;
 
-  double mu_b = 1255;   ///< plastic viscosity, Pa s
-  double ratio = 1000;  ///< cap over plastic viscosity
+  double mu_b = 1255;  ///< plastic viscosity, Pa s
+  double ratio = 1e4;  ///< cap over plastic viscosity
 
   template <class V>
   void describe(V&& v) {
     v(Key{"viscosity", "Pa s", "plastic viscosity mu_B"}.above(0).at_most(1e9), mu_b);
-    v(Key{"viscosity_ratio", "", "cap of the effective viscosity over mu_B"}.at_least(1).at_most(
-          1e6),
+    v(Key{"viscosity_ratio", "",
+          "cap of the effective viscosity over mu_B; steps of method paper fall with it"}
+          .at_least(1)
+          .at_most(1e6),
       ratio);
   }
 
