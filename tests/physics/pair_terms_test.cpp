@@ -65,6 +65,23 @@ TEST(MorrisForce, OpposesTheVelocityDifference) {
   EXPECT_EQ(a.z, 0);
 }
 
+TEST(PressureForce, IsTheStressForceOfAPressure) {
+  EXPECT_EQ(pressure_force(pair, 3.0, 1.0, 0.5), (Vec3d{12, 0, 16}));  // -0.5 x -2 x 4 x
+  EXPECT_EQ(pressure_force(pair, 3.0, 1.0, 0.5),
+            stress_force(pair, isotropic(-3.0), isotropic(-1.0), 0.5));
+}
+
+TEST(ViscousConductance, IsTheMorrisForceOfBothParticles) {
+  // 2 mu V_i V_j |F| r2/(r2 + eta2) = 2 x 3 x 0.02 x 2 x 25/30
+  const double a = viscous_conductance(pair, 3.0, 0.1, 0.2, 5.0);
+  EXPECT_DOUBLE_EQ(a, 0.2);
+  EXPECT_DOUBLE_EQ(viscous_conductance(pair, 3.0, 0.2, 0.1, 5.0), a);
+  // m_i a_i = -a_ij v_ij with masses rho V: rho_i = 1500, rho_j = 1200.
+  const Vec3d v{1, -2, 0.5};
+  const Vec3d force = 150.0 * morris_force(pair, v, 3.0, 240.0 / (1500 * 1200), 5.0);
+  EXPECT_NEAR(norm(force + a * v), 0, 1e-14);
+}
+
 TEST(PairViscosity, IsTheHarmonicMean) {
   EXPECT_DOUBLE_EQ(pair_viscosity(2.0, 6.0), 3);
   EXPECT_EQ(pair_viscosity(0.0, 6.0), 0);
