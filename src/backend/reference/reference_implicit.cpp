@@ -35,8 +35,8 @@ void ReferenceBackend::near_forces() {
       filling.gradient += (volume * pair.gradient) * pair.x;
       if (j < fluids) {
         const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
-        conductance += viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0,
-                                           volume, model_.eta2());
+        conductance +=
+            viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0, volume);
       } else {
         const double part = volume * kernel.value(std::sqrt(pair.r2));
         wall.share += part;
@@ -62,7 +62,7 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
       for_each_neighbour(i, true, [&](std::size_t j, const PairGeometry<double>& pair) {
         const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
         const double a = viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0,
-                                             mass(j) / rho0, model_.eta2());
+                                             mass(j) / rho0);
         const Quad<double>& pj = solver.direction[j];
         flow += a * Vec3d{p.x - pj.x, p.y - pj.y, p.z - pj.z};
       });

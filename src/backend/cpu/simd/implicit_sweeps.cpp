@@ -69,8 +69,9 @@ HWY_INLINE void add_fluid_forces(const Constants& s, const NearForceTask& task, 
     const Columns j = flow_records(task.records, k);
     const auto pair = pair_geometry(separation_from<periodic>(s, me, j), s.kernel);
     sums.acceleration += pressure_force(pair, pressure, j[4], j[3]);
-    const Lanes a =
-        viscous_conductance(pair, pair_viscosity(viscosity, j[6]), volume, j[5], s.eta2);
+    // Rows are padded with the particle itself, which does not rub against itself.
+    const Lanes a = viscous_conductance(pair, pair_viscosity(viscosity, j[6]), volume, j[5]) *
+                    positive(pair.r2);
     sums.conductance += a;
     sums.filling += j[5] * s.kernel.value(sqrt(pair.r2)) * positive(pair.r2);
     sums.filling_gradient += (j[5] * pair.gradient) * pair.x;
