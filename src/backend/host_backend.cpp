@@ -18,7 +18,7 @@ using Index = std::ptrdiff_t;  // OpenMP loops want a signed index
 
 HostBackend::HostBackend(const FlowModel& model)
     : Backend(model),
-      half_space_(model.h, model.dimension),
+      half_space_(model.h, model.dimension, model.spacing),
       threads_(model.threads > 0 ? model.threads : omp_get_max_threads()) {}
 
 void HostBackend::find_neighbours() {

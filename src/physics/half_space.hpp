@@ -12,11 +12,19 @@ namespace sabo {
 /// A kernel cut by a plane wall. The share S of the kernel that lies in the wall tells how far the
 /// wall is, and its gradient where: sums over boundary particles give both for any shape of wall,
 /// without normals. In three dimensions, with t = 1 - d/(2h), S = t^6 (7 - 9 t + 3 t^2) / 2.
+///
+/// A wall of particles is not full: it is layers at 1/2, 3/2, ... spacings behind its surface, whose
+/// sum is the midpoint rule of S. At h/dp = 1.5 that takes a wall half a spacing away for one 7 %
+/// farther, and friction for 7 % smaller; so distances are those of the layers.
 class HalfSpace {
  public:
-  HalfSpace(double h, int dimension) : radius_(2 * h) {
+  HalfSpace(double h, int dimension, double spacing) : radius_(2 * h) {
     const auto kernel = WendlandC2<double>::make(h, dimension);
-    for (int k = 0; k <= entries; ++k) share_[k] = integral(kernel, dimension, place(k));
+    for (int k = 0; k <= entries; ++k) {
+      share_[k] = integral(kernel, dimension, place(k));
+      for (double z = place(k) + 0.5 * spacing; z < radius_; z += spacing)
+        layered_[k] += spacing * plane_integral(kernel, dimension, z);
+    }
     steepest_ = slope(0) / (1 - share_[0]);
     for (int k = 0; k <= entries; ++k) completion_[k] = 1 / (1 - share(surface_distance(k)));
   }
@@ -38,13 +46,14 @@ class HalfSpace {
     return share_[k] + (at - k) * (share_[k + 1] - share_[k]);
   }
 
-  /// The distance at which a plane wall takes the share S, m; 0 for S >= 1/2.
+  /// The distance at which the particles of a plane wall take the share S, m; 0 for those that
+  /// belong to places within the wall.
   double distance(double share) const {
-    if (share >= share_.front()) return 0;
-    const auto above = std::upper_bound(share_.begin(), share_.end(), share, std::greater<>());
-    if (above == share_.end()) return radius_;
-    const auto k = static_cast<int>(above - share_.begin());
-    const double part = (share_[k - 1] - share) / (share_[k - 1] - share_[k]);
+    if (share >= layered_.front()) return 0;
+    const auto above = std::upper_bound(layered_.begin(), layered_.end(), share, std::greater<>());
+    if (above == layered_.end()) return radius_;
+    const auto k = static_cast<int>(above - layered_.begin());
+    const double part = (layered_[k - 1] - share) / (layered_[k - 1] - layered_[k]);
     return place(k - 1) + part * (place(k) - place(k - 1));
   }
 
@@ -85,8 +94,23 @@ class HalfSpace {
     return sum;
   }
 
+  /// The kernel integrated over a plane (a line in two dimensions) at the distance z, 1/m.
+  double plane_integral(const WendlandC2<double>& kernel, int dimension, double z) const {
+    constexpr int steps = 400;
+    constexpr double pi = 3.14159265358979323846;
+    const double most = std::sqrt(radius_ * radius_ - z * z);
+    const double ds = most / steps;
+    double sum = 0;
+    for (int k = 0; k < steps; ++k) {
+      const double s = (k + 0.5) * ds;
+      sum += kernel.value(std::sqrt(z * z + s * s)) * (dimension == 2 ? 2 : 2 * pi * s) * ds;
+    }
+    return sum;
+  }
+
   double radius_;
   std::array<double, entries + 1> share_{};
+  std::array<double, entries + 1> layered_{};  // shares of a wall of particles
   double steepest_ = 0;  // relative gradient at a free surface, 1/m
   std::array<double, entries + 1> completion_{};
 };

@@ -19,7 +19,7 @@ double closed_form(double d) {
 // Straight lines between 129 places: off by at most max |S''| (2h/128)^2 / 8, and |S''| is at most
 // 3.4 / (2h)^2: 2.6e-5.
 TEST(HalfSpace, HasTheShareOfTheClosedForm) {
-  const HalfSpace wall(h, 3);
+  const HalfSpace wall(h, 3, 0.6);
   for (double d = 0; d < 2 * h; d += 0.013) EXPECT_NEAR(wall.share(d), closed_form(d), 4e-5) << d;
   EXPECT_NEAR(wall.share(h), 0.5 / 64 * (7 - 4.5 + 0.75), 4e-5);
   EXPECT_EQ(wall.share(2 * h), 0);
@@ -28,7 +28,7 @@ TEST(HalfSpace, HasTheShareOfTheClosedForm) {
 
 // In two dimensions there is no short form: the kernel summed over the cells beyond the plane.
 TEST(HalfSpace, HasTheShareOfTheSumInTwoDimensions) {
-  const HalfSpace wall(h, 2);
+  const HalfSpace wall(h, 2, 0.6);
   const auto kernel = WendlandC2<double>::make(h, 2);
   constexpr double cell = 0.01 * h;
   for (const double d : {0.0, 0.25 * h, 0.5 * h, h, 1.5 * h}) {
@@ -40,16 +40,38 @@ TEST(HalfSpace, HasTheShareOfTheSumInTwoDimensions) {
   }
 }
 
-TEST(HalfSpace, TellsTheDistanceFromTheShare) {
-  for (const int dimension : {2, 3}) {
-    const HalfSpace wall(h, dimension);
-    for (double d = 0; d < 1.9 * h; d += 0.017)
-      EXPECT_NEAR(wall.distance(wall.share(d)), d, 1e-9) << d;
-    EXPECT_NEAR(wall.distance(0.5), 0, 1e-6);
-    EXPECT_EQ(wall.distance(0.7), 0);  // within the wall
-    EXPECT_EQ(wall.distance(0), 2 * h);
-  }
-  EXPECT_NEAR(HalfSpace(h, 3).distance(closed_form(0.4 * h)), 0.4 * h, 1e-3 * h);
+// Where the layers of the wall are fine the distance is the inverse of the closed form.
+TEST(HalfSpace, TellsTheDistanceFromTheShareOfAFullWall) {
+  const HalfSpace wall(h, 3, 0.01 * h);
+  for (double d = 0.1 * h; d < 1.6 * h; d += 0.017)
+    EXPECT_NEAR(wall.distance(closed_form(d)), d, 2e-3 * h) << d;
+  EXPECT_EQ(wall.distance(0.51), 0);
+  EXPECT_EQ(wall.distance(0.7), 0);  // within the wall
+  EXPECT_EQ(wall.distance(0), 2 * h);
+}
+
+/// The share of a wall of particles, spacing 1, its surface half a spacing above the first layer.
+double share_of_layers(int dimension, double smoothing, double d) {
+  const auto kernel = WendlandC2<double>::make(smoothing, dimension);
+  double share = 0;
+  for (int z = 0; z < 8; ++z)
+    for (int y = dimension == 3 ? -6 : 0; y <= (dimension == 3 ? 6 : 0); ++y)
+      for (int x = -6; x <= 6; ++x)
+        share += kernel.value(std::sqrt(x * x + y * y + (d + 0.5 + z) * (d + 0.5 + z)));
+  return share;
+}
+
+// A particle of a lattice that goes on from the wall is half a spacing from its surface; by the
+// share of a full wall it would be 7 % farther away, and friction as much too small.
+TEST(HalfSpace, TellsTheDistanceToAWallOfParticles) {
+  for (const int dimension : {2, 3})
+    for (const double smoothing : {1.5, 2.0}) {
+      const HalfSpace wall(smoothing, dimension, 1);
+      EXPECT_NEAR(wall.distance(share_of_layers(dimension, smoothing, 0.5)), 0.5, 0.01);
+      EXPECT_NEAR(wall.distance(share_of_layers(dimension, smoothing, 1.5)), 1.5, 0.03);
+      const HalfSpace full(smoothing, dimension, 0.01);
+      EXPECT_GT(full.distance(share_of_layers(dimension, smoothing, 0.5)), 0.515);
+    }
 }
 
 /// Sums over a lattice of the spacing 1 that ends at a plane surface, for its k-th layer from it.
@@ -76,7 +98,7 @@ LayerSums layer_below_surface(int dimension, double smoothing, int k) {
 TEST(HalfSpace, CompletesALatticeAtEveryDepthBelowItsSurface) {
   for (const int dimension : {2, 3})
     for (const double smoothing : {1.2, 1.5, 2.0}) {
-      const HalfSpace space(smoothing, dimension);
+      const HalfSpace space(smoothing, dimension, 1);
       for (int k = 0; k < 6; ++k) {
         const LayerSums sums = layer_below_surface(dimension, smoothing, k);
         const double tolerance = smoothing < 1.5 ? 0.06 : 0.04;
@@ -97,7 +119,7 @@ TEST(HalfSpace, TheFirstLayerNeedsItsCompletion) {
 
 // Twice the particles in the same places: share and gradient double, so the factor stays.
 TEST(HalfSpace, CompletionKeepsTheDegreeOfCrowding) {
-  const HalfSpace space(1.5, 3);
+  const HalfSpace space(1.5, 3, 1);
   const LayerSums one = layer_below_surface(3, 1.5, 0);
   const double crowded =
       1.25 * one.share * space.completion(1.25 * one.gradient / (1.25 * one.share));
