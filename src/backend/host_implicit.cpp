@@ -31,10 +31,18 @@ WallContact HostBackend::contact_of(const Law& law, std::size_t i, const Vec3d& 
   at.pressure = model_.yield.effective_pressure(pressure);
   const double convention = model_.strain_convention();
   const double rate = convention * at.speed / distance;
-  const Shear shear = Law::has_yield
-                          ? Shear{rate, model_.yield(pressure, model_.yield.slope()), at.pressure}
-                          : Shear{rate};
-  at.sticking = convention * law.viscosity(shear) / distance;
+  const double halfway = 0.5 * (fluid_.pressure[i] + pressure);
+  const Shear shear = Law::has_yield ? Shear{rate, model_.yield(halfway, model_.yield.slope()),
+                                             model_.yield.effective_pressure(halfway)}
+                                     : Shear{rate};
+  // u/d is the shear rate halfway to the wall. What the friction of the last step takes from the
+  // fluid between there and the wall, rho f d/2, comes on top, whatever the law of flow.
+  const double halfway_sticking = convention * law.viscosity(shear) / distance;
+  const double taken = -dot(fluid_.drag[i], along);
+  const double more =
+      at.speed > 0 ? 0.5 * at.density * distance * taken / (at.speed * at.speed) : 0;
+  at.sticking =
+      halfway_sticking + std::clamp(more, -0.5 * halfway_sticking, 0.5 * halfway_sticking);
   return at;
 }
 

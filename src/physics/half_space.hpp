@@ -13,9 +13,9 @@ namespace sabo {
 /// wall is, and its gradient where: sums over boundary particles give both for any shape of wall,
 /// without normals. In three dimensions, with t = 1 - d/(2h), S = t^6 (7 - 9 t + 3 t^2) / 2.
 ///
-/// A wall of particles is not full: it is layers at 1/2, 3/2, ... spacings behind its surface, whose
-/// sum is the midpoint rule of S. At h/dp = 1.5 that takes a wall half a spacing away for one 7 %
-/// farther, and friction for 7 % smaller; so distances are those of the layers.
+/// A wall of particles is not full: it is layers at 1/2, 3/2, ... spacings behind its surface,
+/// whose sum is the midpoint rule of S. At h/dp = 1.5 that takes a wall half a spacing away for one
+/// 7 % farther, and friction for 7 % smaller; so distances are those of the layers.
 class HalfSpace {
  public:
   HalfSpace(double h, int dimension, double spacing) : radius_(2 * h) {
@@ -111,7 +111,7 @@ class HalfSpace {
   double radius_;
   std::array<double, entries + 1> share_{};
   std::array<double, entries + 1> layered_{};  // shares of a wall of particles
-  double steepest_ = 0;  // relative gradient at a free surface, 1/m
+  double steepest_ = 0;                        // relative gradient at a free surface, 1/m
   std::array<double, entries + 1> completion_{};
 };
 

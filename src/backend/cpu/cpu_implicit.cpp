@@ -37,15 +37,15 @@ void CpuBackend::prepare_rows() {
 
 void CpuBackend::pack_flow(const Particles& particles, std::size_t i, FlowRecord& record) const {
   const Vec3d x = (1.0 / scale_.unit) * (particles.position[i] - centre_);
-  const double rho = particles.density[i];
+  const double rho0 = model_.state.rho0;
   record = {static_cast<std::int32_t>(std::lrint(x.x)),
             static_cast<std::int32_t>(std::lrint(x.y)),
             static_cast<std::int32_t>(std::lrint(x.z)),
             float(particles.mass[i]),
-            float(particles.pressure[i] / (rho * rho)),
-            float(particles.mass[i] / model_.state.rho0),
+            float(particles.pressure[i] / (rho0 * rho0)),
+            float(particles.mass[i] / rho0),
             float(model_.strain_convention() * particles.viscosity[i]),
-            float(rho)};
+            float(particles.density[i])};
 }
 
 /// After pack_flow of the same particle.

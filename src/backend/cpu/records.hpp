@@ -31,7 +31,7 @@ static_assert(sizeof(StressRecord) == 64);
 struct alignas(32) FlowRecord {
   std::int32_t x, y, z;
   float mass;       ///< kg
-  float pressure;   ///< p / rho^2
+  float pressure;   ///< p / rho0^2
   float volume;     ///< m / rho0, m3: what it was laid out with, whatever its pressure
   float viscosity;  ///< Pa s, already times the strain convention
   float density;    ///< kg/m3

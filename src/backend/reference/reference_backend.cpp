@@ -29,10 +29,11 @@ double ReferenceBackend::mass(std::size_t k) const {
   return k < fluid_.size() ? fluid_.mass[k] : boundary_.mass[k - fluid_.size()];
 }
 
+double ReferenceBackend::pressure_of(std::size_t k) const {
+  return k < fluid_.size() ? fluid_.pressure[k] : boundary_.pressure[k - fluid_.size()];
+}
 double ReferenceBackend::pressure_term(std::size_t k) const {
-  const std::size_t fluids = fluid_.size();
-  const double p = k < fluids ? fluid_.pressure[k] : boundary_.pressure[k - fluids];
-  return p / (density(k) * density(k));
+  return pressure_of(k) / (density(k) * density(k));
 }
 
 void ReferenceBackend::list_pairs() {

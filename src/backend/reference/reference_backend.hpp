@@ -46,6 +46,7 @@ class ReferenceBackend : public HostBackend {
   const Vec3d& velocity(std::size_t k) const;
   double density(std::size_t k) const;
   double mass(std::size_t k) const;
+  double pressure_of(std::size_t k) const;
   double pressure_term(std::size_t k) const;  ///< p / rho^2
 
   VelocityStep<double> velocity_step_;

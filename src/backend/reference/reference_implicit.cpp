@@ -26,7 +26,8 @@ void ReferenceBackend::near_forces() {
     Filling filling{kernel.value(0) * mass(i) / rho0, {}};
     WallShare wall;
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
-      a += pressure_force(pair, pressure_term(i), pressure_term(j), mass(j));
+      a += pressure_force(pair, pressure_of(i) / (rho0 * rho0), pressure_of(j) / (rho0 * rho0),
+                          mass(j));
       const double mean_density = 0.5 * (density(i) + density(j));
       a += artificial_force(pair, velocity(i) - velocity(j), alpha_c0_h, mass(j) / mean_density,
                             model_.eta2());

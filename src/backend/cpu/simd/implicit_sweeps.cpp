@@ -42,7 +42,7 @@ void wall_pressure_range(const WallPressureTask& task) {
       // Rows are padded with the particle itself, which has no say in its own pressure.
       const Lanes w = s.kernel.value(sqrt(r2)) * positive(r2);
       weight += w;
-      pressure += w * density * (j[4] * density + dot(gravity, x));
+      pressure += w * (j[4] * (s.rho0 * s.rho0) + density * dot(gravity, x));
     }
     const float total = sum(weight);
     task.pressure[place] = total > 0 ? sum(pressure) / total : 0;
