@@ -1,0 +1,283 @@
+#include <array>
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "support/clouds.hpp"
+#include "support/scenes.hpp"
+#include <gtest/gtest.h>
+
+#include "backend/cpu/cpu_backend.hpp"
+#include "backend/reference/reference_backend.hpp"
+#include "physics/pair/forces.hpp"
+#include "terrain/ground.hpp"
+
+namespace sabo {
+namespace {
+
+using test::add_particle;
+
+/// The oracle, with what it knows of the walls laid open.
+struct Opened : ReferenceBackend {
+  using HostBackend::wall_drag_;
+  using HostBackend::wall_share_;
+  using ReferenceBackend::ReferenceBackend;
+};
+
+FlowModel viscous(double viscosity) {
+  FlowModel model = test::plain_model(0.1, 20, viscosity);
+  model.gravity = {};
+  return model;
+}
+
+void set_viscosity(Particles& fluid, double viscosity) {
+  fluid.viscosity.assign(fluid.size(), viscosity);
+}
+
+/// Everything before the solve.
+void prepare(Backend& backend) {
+  backend.find_neighbours();
+  backend.pressure();
+  backend.wall_pressure();
+  backend.near_forces();
+  backend.wall_resistance();
+}
+
+Vec3d momentum_of(const Particles& fluid) {
+  Vec3d sum;
+  for (std::size_t i = 0; i < fluid.size(); ++i) sum += fluid.mass[i] * fluid.velocity[i];
+  return sum;
+}
+
+double kinetic_energy_of(const Particles& fluid) {
+  double sum = 0;
+  for (std::size_t i = 0; i < fluid.size(); ++i)
+    sum += 0.5 * fluid.mass[i] * dot(fluid.velocity[i], fluid.velocity[i]);
+  return sum;
+}
+
+// A block slides over a level bed of 8 x 8 spacings under a pressure of 3000 Pa: the forces of its
+// particles add up to the stress of the law times the area of the bed.
+TEST(WallResistance, AddsUpToTheStressOverTheBed) {
+  const double p = 3000, speed = 2;
+  const Coulomb friction{40, 0.3};
+  const double turbulent = 1000 * 9.81 * speed * speed / 300;
+  const struct {
+    WallShear wall;
+    double stress;
+  } cases[] = {{friction, 40 + 0.3 * p}, {Voellmy{friction, 300}, 40 + 0.3 * p + turbulent}};
+  for (const auto& c : cases) {
+    FlowModel model = viscous(1e6);
+    model.gravity = {9.81, 0, 0};  // along the bed: no weight to carry down to it
+    model.wall = c.wall;
+    model.periodic.period = {Vec3d{0.8, 0, 0}, Vec3d{0, 0.8, 0}, Vec3d{}};
+    const auto backend = std::make_unique<Opened>(model);
+    test::add_block(backend->fluid(), model, {0, 8, 0, 8, 0, 6});
+    test::add_block(backend->boundary(), model, {0, 8, 0, 8, -3, 0});
+    for (std::size_t i = 0; i < backend->fluid().size(); ++i) {
+      backend->fluid().density[i] = model.state.density(p);
+      backend->fluid().velocity[i] = {speed, 0, 0};
+    }
+    prepare(*backend);
+    double force = 0;
+    for (const double drag : backend->wall_drag_) force += drag * speed;
+    // Density at 3000 Pa is 0.7 % above the reference.
+    EXPECT_NEAR(force / (0.64 * c.stress), 1, 0.01);
+  }
+}
+
+/// Sum of 2 V |grad S| over the particles above a bed.
+double bed_area(const Opened& backend, const Particles& fluid, const auto& counts) {
+  double area = 0;
+  for (std::size_t i = 0; i < fluid.size(); ++i)
+    if (counts(fluid.position[i]))
+      area += 2 * fluid.mass[i] / 1000 * norm(backend.wall_share_[i].gradient);
+  return area;
+}
+
+TEST(WallArea, AddsUpToThatOfALevelBed) {
+  for (const int dimension : {2, 3}) {
+    FlowModel model = viscous(1);
+    model.dimension = dimension;
+    model.periodic.period[0] = {0.8, 0, 0};
+    if (dimension == 3) model.periodic.period[1] = {0, 0.8, 0};
+    Opened backend(model);
+    test::add_block(backend.fluid(), model, {0, 8, 0, 8, 0, 6});
+    test::add_block(backend.boundary(), model, {0, 8, 0, 8, -3, 0});
+    prepare(backend);
+    const double area = dimension == 3 ? 0.64 : 0.8;
+    EXPECT_NEAR(bed_area(backend, backend.fluid(), [](const Vec3d&) { return true; }) / area, 1,
+                0.01);
+  }
+}
+
+// A DEM that falls by tan 30 deg along x; fluid in layers parallel to it. Only particles over the
+// middle count, 10 of 20 columns along the slope and 6 of 14 across.
+TEST(WallArea, AddsUpToThatOfASlopeOfTheDem) {
+  const double angle = M_PI / 6, dp = 0.5;
+  Grid grid{41, 31, -20.5, 15.5, 1, 1};
+  Raster elevation(grid);
+  for (int row = 0; row < grid.rows; ++row)
+    for (int column = 0; column < grid.columns; ++column)
+      elevation.at(column, row) = -std::tan(angle) * grid.x_of(column);
+  const Surface surface{std::move(elevation)};
+  FlowModel model = viscous(1);
+  model.spacing = dp;
+  model.h = 1.5 * dp;
+  Ground ground(surface, {}, {dp, 3, 1000});
+  Opened backend(model);
+  const Vec3d along{std::cos(angle), 0, -std::sin(angle)},
+      normal{std::sin(angle), 0, std::cos(angle)};
+  for (int k = 0; k < 5; ++k)
+    for (int j = -7; j < 7; ++j)
+      for (int i = -10; i < 10; ++i)
+        add_particle(
+            backend.fluid(), model,
+            (i + 0.5) * dp * along + Vec3d{0, (j + 0.5) * dp, 0} + (k + 0.5) * dp * normal);
+  ground.follow(backend.fluid().position, 2.2 * model.h, backend.boundary());
+  prepare(backend);
+  const auto is_inside = [&](const Vec3d& x) {
+    return std::abs(dot(x, along)) < 5 * dp && std::abs(x.y) < 3 * dp;
+  };
+  EXPECT_NEAR(bed_area(backend, backend.fluid(), is_inside) / (60 * dp * dp), 1, 0.01);
+}
+
+// Forces between particles come in pairs, so the sum of momentum does not change.
+TEST(ImplicitStep, KeepsMomentumWithoutWalls) {
+  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+    auto backend = make_backend(kind, viscous(5));
+    test::fill(*backend, {});
+    backend->boundary().resize(0);
+    set_viscosity(backend->fluid(), 5);
+    prepare(*backend);
+    const double scale = std::sqrt(2 * kinetic_energy_of(backend->fluid()) *
+                                   static_cast<double>(backend->fluid().size()));
+    const Vec3d before = momentum_of(backend->fluid());
+    ASSERT_TRUE(backend->advance_velocity(0.01, 1e-7, 500).converged);
+    const double tolerance = kind == BackendKind::reference ? 1e-6 : 1e-5;
+    EXPECT_LT(norm(momentum_of(backend->fluid()) - before), tolerance * scale);
+  }
+}
+
+/// Solves A x = b by elimination.
+std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
+  const std::size_t n = b.size();
+  for (std::size_t k = 0; k < n; ++k)  // positive definite: no pivoting
+    for (std::size_t i = k + 1; i < n; ++i) {
+      const double f = a[i][k] / a[k][k];
+      for (std::size_t j = k; j < n; ++j) a[i][j] -= f * a[k][j];
+      b[i] -= f * b[k];
+    }
+  for (std::size_t i = n; i-- > 0;) {
+    for (std::size_t j = i + 1; j < n; ++j) b[i] -= a[i][j] * b[j];
+    b[i] /= a[i][i];
+  }
+  return b;
+}
+
+/// (M + dt K + dt D) v' = M (v + dt a) + dt D w, written out for the component c.
+std::vector<double> dense_step(const Opened& backend, const Particles& fluid, double dt, int c) {
+  const auto component = [c](const Vec3d& v) { return c == 0 ? v.x : c == 1 ? v.y : v.z; };
+  const auto kernel = backend.model().kernel<double>();
+  const std::size_t n = fluid.size();
+  std::vector<std::vector<double>> matrix(n, std::vector<double>(n, 0));
+  std::vector<double> right(n);
+  for (std::size_t i = 0; i < n; ++i) {
+    const WallShare& wall = backend.wall_share_[i];
+    const double drag = dt * backend.wall_drag_[i];
+    matrix[i][i] += fluid.mass[i] + drag;
+    right[i] = fluid.mass[i] * component(fluid.velocity[i] + dt * backend.accelerations()[i]);
+    if (wall.share > 0) right[i] += drag * component(wall.velocity) / wall.share;
+    for (std::size_t j = 0; j < n; ++j) {
+      if (i == j) continue;
+      const double r = norm(fluid.position[i] - fluid.position[j]);
+      const double mu = 2 / (1 / fluid.viscosity[i] + 1 / fluid.viscosity[j]);
+      const double a =
+          -2 * mu * fluid.mass[i] * fluid.mass[j] / (1000.0 * 1000.0) * kernel.gradient_factor(r);
+      matrix[i][i] += dt * a;
+      matrix[i][j] -= dt * a;
+    }
+  }
+  return solved(matrix, right);
+}
+
+TEST(ImplicitStep, EqualsADenseSolve) {
+  FlowModel model = viscous(1);
+  model.gravity = {1, 0, -9.81};
+  model.walls_move = true;
+  Opened backend(model);
+  test::fill(backend, {}, 4);
+  for (Vec3d& v : backend.boundary().velocity) v = {0.5, 0.1, 0};
+  for (std::size_t i = 0; i < backend.fluid().size(); ++i)
+    backend.fluid().viscosity[i] = 1 + 50 * (i % 3);
+  prepare(backend);
+  const double dt = 0.01;
+  std::array<std::vector<double>, 3> expected;
+  for (int c = 0; c < 3; ++c) expected[c] = dense_step(backend, backend.fluid(), dt, c);
+  ASSERT_TRUE(backend.advance_velocity(dt, 1e-12, 1000).converged);
+  for (std::size_t i = 0; i < backend.fluid().size(); ++i) {
+    const Vec3d& v = backend.fluid().velocity[i];
+    ASSERT_NEAR(v.x, expected[0][i], 1e-9);
+    ASSERT_NEAR(v.y, expected[1][i], 1e-9);
+    ASSERT_NEAR(v.z, expected[2][i], 1e-9);
+  }
+}
+
+// Whatever the step, the viscosities and the velocities, friction takes energy, and heat is what it
+// took.
+TEST(ImplicitStep, NeverAddsKineticEnergy) {
+  std::mt19937 random(11);
+  std::uniform_real_distribution<double> u(0, 1);
+  for (int trial = 0; trial < 20; ++trial) {
+    Opened backend(viscous(1));
+    test::fill(backend, {}, 4);
+    for (std::size_t i = 0; i < backend.fluid().size(); ++i) {
+      backend.fluid().viscosity[i] = std::pow(10, 6 * u(random) - 2);
+      backend.fluid().density[i] = 1000;  // no pressure, which is not the step's
+      backend.fluid().drag[i] = 100.0 * Vec3d{u(random) - 0.5, u(random) - 0.5, u(random) - 0.5};
+    }
+    prepare(backend);
+    const double before = kinetic_energy_of(backend.fluid());
+    const ViscousSolve solve = backend.advance_velocity(std::pow(10, -4 * u(random)), 1e-10, 5000);
+    ASSERT_TRUE(solve.converged);
+    EXPECT_GT(solve.heat, 0);
+    EXPECT_LT(kinetic_energy_of(backend.fluid()), before);
+    EXPECT_NEAR(kinetic_energy_of(backend.fluid()) + solve.heat, before, 1e-6 * before);
+  }
+}
+
+TEST(ImplicitStep, WithoutViscosityIsTheExplicitOne) {
+  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+    FlowModel model = viscous(0);
+    model.gravity = {0, 0, -9.81};
+    auto backend = make_backend(kind, model);
+    test::fill(*backend, {});
+    set_viscosity(backend->fluid(), 0);
+    prepare(*backend);
+    const std::vector<Vec3d> before = backend->fluid().velocity;
+    const ViscousSolve solve = backend->advance_velocity(0.01, 1e-9, 10);
+    EXPECT_TRUE(solve.converged);
+    EXPECT_EQ(solve.iterations, 0);
+    EXPECT_NEAR(solve.heat, 0, 1e-9);
+    for (std::size_t i = 0; i < before.size(); ++i)
+      EXPECT_EQ(backend->fluid().velocity[i], before[i] + 0.01 * backend->accelerations()[i]);
+  }
+}
+
+TEST(ImplicitStep, LeavesTheStateAsItWasWhenItFails) {
+  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+    auto backend = make_backend(kind, viscous(1e4));
+    test::fill(*backend, {});
+    set_viscosity(backend->fluid(), 1e4);
+    prepare(*backend);
+    const std::vector<Vec3d> velocity = backend->fluid().velocity, drag = backend->fluid().drag;
+    const ViscousSolve solve = backend->advance_velocity(1, 1e-9, 2);
+    EXPECT_FALSE(solve.converged);
+    EXPECT_EQ(solve.iterations, 2);
+    EXPECT_EQ(backend->fluid().velocity, velocity);
+    EXPECT_EQ(backend->fluid().drag, drag);
+  }
+}
+
+}  // namespace
+}  // namespace sabo

@@ -1,0 +1,73 @@
+#include "backend/viscous_solver.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sabo {
+namespace {
+
+// A = (4 -1 0; -1 3 -1; 0 -1 2): with b = (2, 2, 4) x = (1, 2, 3); with b = (3, 1, 1) x = (1, 1,
+// 1).
+constexpr double matrix[3][3] = {{4, -1, 0}, {-1, 3, -1}, {0, -1, 2}};
+
+struct Problem {
+  ViscousSolver<double> solver;
+  std::vector<double> mass{1, 1, 1, 1};
+  std::vector<std::uint32_t> rows{0, 1, 2};
+
+  Problem() {
+    solver.reset(4);  // the fourth takes no part
+    solver.residual = {{2, 3, 0}, {2, 1, 0}, {4, 1, 0}, {9, 9, 9}};
+    solver.diagonal = {4, 3, 2, 1};
+  }
+
+  ViscousSolve solve(double tolerance, int most) {
+    return solver.solve(rows, mass, tolerance, most, 1, [this] {
+      ViscousSolver<double>::Dot sum{};
+      for (int i = 0; i < 3; ++i) {
+        Quad<double> q{};
+        for (int j = 0; j < 3; ++j) {
+          const Quad<double>& p = solver.direction[j];
+          q = {q.x + matrix[i][j] * p.x, q.y + matrix[i][j] * p.y, q.z + matrix[i][j] * p.z};
+        }
+        solver.product[i] = q;
+        const Quad<double>& p = solver.direction[i];
+        sum[0] += p.x * q.x;
+        sum[1] += p.y * q.y;
+        sum[2] += p.z * q.z;
+      }
+      return sum;
+    });
+  }
+};
+
+// Conjugate gradients are exact after as many steps as there are unknowns.
+TEST(ViscousSolver, SolvesThreeComponentsInAsManyStepsAsUnknowns) {
+  Problem problem;
+  const ViscousSolve outcome = problem.solve(1e-12, 10);
+  EXPECT_TRUE(outcome.converged);
+  EXPECT_LE(outcome.iterations, 3);
+  const double x[3][3] = {{1, 1, 0}, {2, 1, 0}, {3, 1, 0}};
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(problem.solver.change[i].x, x[i][0], 1e-12);
+    EXPECT_NEAR(problem.solver.change[i].y, x[i][1], 1e-12);
+    EXPECT_EQ(problem.solver.change[i].z, 0);
+  }
+  EXPECT_EQ(problem.solver.change[3].x, 0);
+}
+
+TEST(ViscousSolver, SaysThatItDidNotConverge) {
+  Problem problem;
+  const ViscousSolve outcome = problem.solve(1e-12, 1);
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_EQ(outcome.iterations, 1);
+}
+
+// The root mean square of b over the mass is sqrt((4 + 4 + 16) / 3) = 2.83 at a change of zero.
+TEST(ViscousSolver, DoesNothingWhereTheGuessIsGoodEnough) {
+  Problem problem;
+  EXPECT_EQ(problem.solve(2.84, 10).iterations, 0);
+  EXPECT_GT(Problem().solve(2.82, 10).iterations, 0);
+}
+
+}  // namespace
+}  // namespace sabo
