@@ -17,6 +17,7 @@ struct BenchOptions {
   BenchSettings settings;
   std::string json;
   std::vector<std::string> only;
+  std::string method;
 };
 
 std::vector<std::string_view> part_names() {
@@ -38,14 +39,27 @@ std::vector<BenchPart> chosen_parts(const std::vector<std::string>& only) {
   return parts;
 }
 
+/// All methods, or the one that is named.
+std::vector<Method> chosen_methods(const std::string& name) {
+  std::vector<Method> methods;
+  for (const Method method : {Method::fast, Method::paper})
+    if (name.empty() || name == word_of(method)) methods.push_back(method);
+  if (methods.empty())
+    throw CaseError("--method", fmt::format("there is no method \"{}\"", name),
+                    fmt::format("give {}", fmt::join(Words<Method>::list, " or ")));
+  return methods;
+}
+
 int bench(const BenchOptions& options) {
   const std::vector<BenchPart> parts = chosen_parts(options.only);
-  const BenchMachine machine = bench_machine(options.settings);
+  BenchSettings settings = options.settings;
+  settings.methods = chosen_methods(options.method);
+  const BenchMachine machine = bench_machine(settings);
   fmt::print("sabo {} ({})\n{}, {}, {}\n{}", machine.version, machine.compiler, machine.cpu,
              threads_text(machine.threads), machine.instruction_set, warning_of(machine));
   std::vector<Measurement> measurements;
   for (const BenchPart& part : parts) {
-    const BenchResult result = part.measure(options.settings);
+    const BenchResult result = part.measure(settings);
     for (const BenchTable& table : result.tables) fmt::print("\n{}", text_of(table));
     std::fflush(stdout);
     measurements.insert(measurements.end(), result.measurements.begin(), result.measurements.end());
@@ -76,6 +90,8 @@ void add_bench_command(CLI::App& program, Action& action) {
   command->add_option("--threads", options->settings.threads, "most threads; default: all")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
+  command->add_option("--method", options->method, "method to measure; default: each")
+      ->type_name(fmt::format("{}", fmt::join(Words<Method>::list, "|")));
   command->add_option("--json", options->json, "write the results there, for compare_bench.py")
       ->type_name("FILE");
   command->add_option("--only", options->only, "parts to measure; default: all")

@@ -19,6 +19,29 @@ namespace sabo {
 ///   strain_rate 19, wall 3, its sum 6            28        -
 ///   stress_force 25, its sum 3                    -       28
 ///   pressure_power 9, its sum 1                   -       10
+///
+/// Method fast, without artificial viscosity; roots that two formulas share count once, 2 mu_i of
+/// the harmonic mean is the same for all j:
+///
+///                                              wall pressure   force and matrix   near motion
+///   separation, from integers                        3                 3               3
+///   r^2 5, root 1                                    6                 -               -
+///   pair_geometry                                    -                12              12
+///   kernel value                                    11                11               -
+///   where r > 0: once the value                      1                 1               -
+///   sum of the weight                                1                 -               -
+///   w rho (P rho + g.x), its sum 1                  10                 -               -
+///   pressure_force 6, its sum 3                      -                 9               -
+///   pair_viscosity 4, conductance 7, its sum 1       -                12               -
+///   filling 2, its gradient 7, near or not 1         -                10               -
+///   velocity difference 3, mass of j 3               -                 -               6
+///   continuity 7, its sum 1 with that of
+///     the diffusion 15, added to it 1                -                 -              24
+///   strain_rate 19, its sum 6                        -                 -              25
+///   support 2, its sum 1                             -                 -               3
+///
+/// An entry of the matrix in the viscous solve: three differences, three multiply-adds, 9; what the
+/// solve does with whole vectors does not count.
 double flops_of_pair(std::string_view pass);
 
 }  // namespace sabo

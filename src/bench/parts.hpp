@@ -4,12 +4,14 @@
 #include <vector>
 
 #include "bench/report.hpp"
+#include "case/numerics_case.hpp"
 
 namespace sabo {
 
 struct BenchSettings {
   int threads = 1;     ///< the most that are used
   bool quick = false;  ///< small scenes, few repetitions: to see that it works, not to compare
+  std::vector<Method> methods{Method::fast, Method::paper};  ///< those that are measured
 
   int repeats() const { return quick ? 3 : 5; }
 };

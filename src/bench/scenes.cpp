@@ -14,8 +14,9 @@
 namespace sabo {
 namespace {
 
-constexpr int depth = 5;              // particles
-constexpr double start_speed = 0.05;  // over the sound speed: lists last some fifteen steps
+constexpr int depth = 5;  // particles
+constexpr double start_speed =
+    0.05;  // over the sound speed: a list lasts five fast steps or fifteen
 
 MaterialCase debris() {
   MaterialCase material;
@@ -25,16 +26,31 @@ MaterialCase debris() {
   return material;
 }
 
-NumericsCase debris_numerics(int threads) {
+/// Visits keys as the reader of a case file that gives none of them.
+struct NothingGiven {
+  static constexpr bool sets_members = true;
+  template <class T>
+  void operator()(const Key& /*key*/, T& /*member*/) const {}
+};
+
+/// A method with the defaults that it brings along.
+NumericsCase numerics_of(Method method, int threads) {
   NumericsCase numerics;
-  numerics.spacing = 1;
-  numerics.reference_speed = 15;
+  numerics.method = method;
+  numerics.describe(NothingGiven{});
   numerics.threads = threads;
   return numerics;
 }
 
-FlowModel debris_model(int threads) {
-  return flow_model(debris(), debris_numerics(threads), depth);
+NumericsCase debris_numerics(Method method, int threads) {
+  NumericsCase numerics = numerics_of(method, threads);
+  numerics.spacing = 1;
+  numerics.reference_speed = 15;
+  return numerics;
+}
+
+FlowModel debris_model(Method method, int threads) {
+  return flow_model(debris(), debris_numerics(method, threads), depth);
 }
 
 void add_particle(Particles& particles, const FlowModel& model, const Vec3d& position) {
@@ -108,17 +124,27 @@ void fill_tank(Particles& water, Particles& walls, const FlowModel& model) {
 
 }  // namespace
 
-BenchFlow cube_flow(const PairSweeps& sweeps, int side, int threads) {
-  const FlowModel model = debris_model(threads);
+BenchFlow cube_flow(const PairSweeps& sweeps, Method method, int side, int threads) {
+  const FlowModel model = debris_model(method, threads);
   BenchFlow flow;
   flow.backend = std::make_unique<CpuBackend>(model, sweeps);
   add_cells(flow.backend->fluid(), model, side, side, 0, side);
-  finish(flow, debris_numerics(threads));
+  finish(flow, debris_numerics(method, threads));
   return flow;
 }
 
-BenchFlow layer_flow(int side, int threads) {
-  FlowModel model = debris_model(threads);
+BenchFlow cube_on_floor(const PairSweeps& sweeps, Method method, int side, int threads) {
+  const FlowModel model = debris_model(method, threads);
+  BenchFlow flow;
+  flow.backend = std::make_unique<CpuBackend>(model, sweeps);
+  add_cells(flow.backend->fluid(), model, side, side, 0, side);
+  add_cells(flow.backend->boundary(), model, side, side, -layers_of(model), 0);
+  finish(flow, debris_numerics(method, threads));
+  return flow;
+}
+
+BenchFlow layer_flow(Method method, int side, int threads) {
+  FlowModel model = debris_model(method, threads);
   model.periodic.period[0] = {side * model.spacing, 0, 0};
   model.periodic.period[1] = {0, side * model.spacing, 0};
   BenchFlow flow;
@@ -130,16 +156,21 @@ BenchFlow layer_flow(int side, int threads) {
     fluid.velocity[i] = {start_speed * model.state.c0, 0, 0};
     fluid.density[i] = density_at(model, depth * model.spacing - fluid.position[i].z);
   }
-  finish(flow, debris_numerics(threads));
+  finish(flow, debris_numerics(method, threads));
   return flow;
 }
 
-BenchFlow slope_flow(int side, double map_over_flow, int threads) {
-  const FlowModel model = debris_model(threads);
+int smallest_map_side(int side) {
+  // Beyond the flow: the radius of the neighbour list (3.5), the rest of a tile of ground (8), its
+  // slopes (1), and a way to go.
+  return side + 2 * 24;
+}
+
+BenchFlow slope_flow(Method method, int side, int map_side, int threads) {
+  const FlowModel model = debris_model(method, threads);
   const double dp = model.spacing;
   BenchFlow flow;
-  flow.surface = std::make_unique<Surface>(
-      rough_map(static_cast<int>(std::lround(map_over_flow * side * dp))));
+  flow.surface = std::make_unique<Surface>(rough_map(map_side));
   flow.ground = std::make_unique<Ground>(*flow.surface, std::vector<CheckDam>{},
                                          GroundSettings{dp, layers_of(model), model.state.rho0});
   flow.domain = std::make_unique<Domain>(*flow.ground);
@@ -155,23 +186,20 @@ BenchFlow slope_flow(int side, double map_over_flow, int threads) {
     x.z += flow.surface->height(x.x, x.y);
     fluid.velocity[i] = {speed, 0, -0.36 * speed};
   }
-  finish(flow, debris_numerics(threads));
+  finish(flow, debris_numerics(method, threads));
   return flow;
 }
 
-BenchFlow dam_break(double spacing, double h_over_dp, int threads) {
+BenchFlow dam_break(Method method, double spacing, double h_over_dp, int threads) {
   MaterialCase material;
   material.density = 1000;
   material.law = Newtonian{0.001};
-  NumericsCase numerics;
-  numerics.method = Method::paper;  // two evaluations of the forces in a step
-  numerics.cfl = 0.2;
+  NumericsCase numerics = numerics_of(method, threads);
   numerics.spacing = spacing;
   numerics.h_over_dp = h_over_dp;
   numerics.sound_speed_factor = 20;
   numerics.diffusion_form = DiffusionForm::fourtakas;
   numerics.artificial_viscosity = 0.1;
-  numerics.threads = threads;
   const FlowModel model = flow_model(material, numerics, water_depth);
 
   BenchFlow flow;

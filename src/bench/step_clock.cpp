@@ -41,6 +41,7 @@ StepTimes step_times(BenchFlow& flow, int repeats, int most_steps) {
   StepTimes times;
   repetition(flow, most_steps, times.steps);
   times.steps = 0;
+  const double start = flow.stepper->time();
   for (int repeat = 0; repeat < repeats; ++repeat) {
     flow.backend->pass_times().clear();
     std::size_t steps = 0;
@@ -54,6 +55,7 @@ StepTimes step_times(BenchFlow& flow, int repeats, int most_steps) {
       entry.pairs += pass.pairs;
     }
   }
+  times.mean_dt = (flow.stepper->time() - start) / static_cast<double>(times.steps);
   return times;
 }
 

@@ -23,7 +23,8 @@ struct PassSamples {
 struct StepTimes {
   Samples seconds;  ///< per step
   std::size_t steps = 0;
-  double wall = 0;  ///< over all repetitions, s
+  double wall = 0;     ///< over all repetitions, s
+  double mean_dt = 0;  ///< simulated time of a step, s
   std::vector<PassSamples> passes;
 
   double steps_per_list() const {

@@ -8,6 +8,7 @@ namespace sabo {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 TEST(BenchCommand, WritesJsonWithAnEntryForEveryPart) {
   const TemporaryFolder folder;
@@ -24,12 +25,27 @@ TEST(BenchCommand, WritesJsonWithAnEntryForEveryPart) {
       "for part in ('peak', 'passes', 'steps', 'threads', 'particles', 'dry_terrain',\n"
       "             'dam_break'):\n"
       "    assert any(n.startswith(part + '/') for n in names), part\n"
-      "assert any(n.endswith('/force sweep/share of peak') for n in names)\n"
+      "for sweep in ('force sweep', 'motion sweep', 'wall pressure', 'force and matrix',\n"
+      "              'near motion', 'viscous solve'):\n"
+      "    assert any(n.endswith('/' + sweep + '/share of peak') for n in names), sweep\n"
+      "for part in ('steps', 'threads', 'particles', 'dry_terrain', 'dam_break'):\n"
+      "    for method in ('fast', 'paper'):\n"
+      "        assert any(n.startswith(part + '/' + method + '/') for n in names), part\n"
       "for r in bench['results']:\n"
       "    assert 0 < r['low'] <= r['value'] <= r['high'], r\n";
   folder.write("check.py", check);
   const Outcome read = run_shell("python3 '" + (folder / "check.py").string() + "' '" + file + "'");
   EXPECT_EQ(read.code, 0) << read.text;
+}
+
+TEST(BenchCommand, MeasuresOneMethodAlone) {
+  const Outcome bench = run_shell("sabo bench --quick --threads 1 --only steps --method fast");
+  ASSERT_EQ(bench.code, 0) << bench.text;
+  EXPECT_THAT(bench.text, HasSubstr("What a step is made of, method fast"));
+  EXPECT_THAT(bench.text, Not(HasSubstr("method paper\n")));
+  const Outcome unknown = run_shell("sabo bench --method quick");
+  EXPECT_EQ(unknown.code, 2);
+  EXPECT_THAT(unknown.text, HasSubstr("there is no method \"quick\"; give fast or paper"));
 }
 
 TEST(BenchCommand, NamesThePartsThatThereAre) {

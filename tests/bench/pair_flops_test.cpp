@@ -32,6 +32,8 @@ struct Counted {
   friend Counted operator/(Counted a, Counted b) { return result(a.value / b.value); }
   friend Counted operator-(Counted a) { return Counted(-a.value); }
   friend Counted sqrt(Counted a) { return result(std::sqrt(a.value)); }
+  /// A choice, as a change of sign.
+  friend Counted positive(Counted a) { return Counted(a.value > 0 ? 1 : 0); }
   friend Counted larger(Counted a, Counted b) { return result(std::max(a.value, b.value)); }
 };
 
@@ -75,6 +77,57 @@ TEST(PairFlops, OfTheForceSweepAreThoseOfItsFormulas) {
     power += pressure_power(pair, vector, one, one, one);
   });
   EXPECT_EQ(flops_of_pair("force sweep"), separation + formulas - kernel_constants);
+}
+
+TEST(PairFlops, OfTheWallPressureAreThoseOfItsFormulas) {
+  const int formulas = operations_of([&] {
+    const Counted r2 = dot(vector, vector);
+    const Counted w = kernel.value(sqrt(r2)) * positive(r2);
+    Counted weight(0), pressure(0);
+    weight += w;
+    pressure += w * one * (one * one + dot(vector, vector));
+  });
+  EXPECT_EQ(flops_of_pair("wall pressure"), separation + formulas);
+}
+
+TEST(PairFlops, OfForceAndMatrixAreThoseOfItsFormulas) {
+  constexpr int shared_root = 1, twice_my_viscosity = 1;
+  const int formulas = operations_of([&] {
+    const auto pair = pair_geometry(vector, kernel);
+    Vec3<Counted> acceleration = vector, gradient = vector;
+    Counted conductance(0), filling(0);
+    acceleration += pressure_force(pair, one, one, one);
+    conductance += viscous_conductance(pair, pair_viscosity(one, one), one, one, one);
+    filling += one * kernel.value(sqrt(pair.r2)) * positive(pair.r2);
+    gradient += (one * pair.gradient) * pair.x;
+    const Counted is_near = pair.gradient * pair.r2;
+    EXPECT_LT(is_near.value, 1e9);
+  });
+  EXPECT_EQ(flops_of_pair("force and matrix"),
+            separation + formulas - kernel_constants - shared_root - twice_my_viscosity);
+}
+
+TEST(PairFlops, OfNearMotionAreThoseOfItsFormulas) {
+  const DensityDiffusion<Counted> diffusion{one, one, vector};
+  const int formulas = operations_of([&] {
+    const auto pair = pair_geometry(vector, kernel);
+    const Vec3<Counted> v = vector - vector;
+    const Counted mass = one * (one + one * one);  // volume (rho0 + rho0 excess)
+    Counted rate(0), support(0);
+    Sym3<Counted> eps = tensor;
+    rate += continuity(pair, v, mass) + diffusion(pair, one, one, mass);
+    eps += strain_rate(pair, v, one);
+    support += one * pair.gradient * pair.r2;
+  });
+  EXPECT_EQ(flops_of_pair("near motion"), separation + formulas - kernel_constants);
+}
+
+TEST(PairFlops, OfTheViscousSolveAreThoseOfOneEntryOfItsMatrix) {
+  const int formulas = operations_of([&] {
+    Vec3<Counted> product = vector;
+    product += one * (vector - vector);
+  });
+  EXPECT_EQ(flops_of_pair("viscous solve"), formulas);
 }
 
 TEST(PairFlops, AreZeroForAPassThatNobodyCounted) {
