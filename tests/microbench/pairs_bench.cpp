@@ -2,6 +2,7 @@
 // cache: what is left of the time of a sweep goes into the way to the neighbours.
 
 #include <algorithm>
+#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
@@ -48,6 +49,46 @@ void register_pairs(const std::string& name, const Run& run) {
   });
 }
 
+/// Rows of the viscous matrix with as many fluid neighbours as inside a flow (h/dp = 1.5).
+constexpr std::size_t rows = 16, neighbours = 112;
+
+NearPairs matrix() {
+  NearPairs near;
+  near.reset(rows);
+  NearPairs::Writer writer(near, 0, rows * (neighbours + PairList::lanes));
+  for (std::uint32_t i = 0; i < rows; ++i) {
+    writer.begin_row(i);
+    for (std::uint32_t k = 0; k < neighbours; ++k) {
+      writer.index()[k] = (i + 1 + k) % pairs;
+      writer.conductance()[k] = 0.01f * static_cast<float>(k);
+    }
+    writer.advance(neighbours);
+    writer.end_fluid();
+    writer.end_row();
+  }
+  return near;
+}
+
+/// The product of the viscous solve; items are entries of the matrix.
+void register_product(const std::string& set, const PairSweeps& sweeps) {
+  benchmark::RegisterBenchmark(("viscous_product/" + set).c_str(), [&](benchmark::State& state) {
+    const NearPairs near = matrix();
+    std::vector<std::uint32_t> row(rows);
+    std::iota(row.begin(), row.end(), 0U);
+    const std::vector<Quad<float>> p(pairs, {1, 2, 3, 0});
+    std::vector<Quad<float>> q(rows);
+    const std::vector<float> mass(rows, 1), drag(rows, 0.5f);
+    ViscousProductTask task{&near,       row.data(),  0,    rows,     p.data(),
+                            mass.data(), drag.data(), 0.1f, q.data(), {0, 0, 0}};
+    for ([[maybe_unused]] auto unused : state) {
+      sweeps.viscous_product(task);
+      benchmark::DoNotOptimize(task.dot[0]);
+      benchmark::ClobberMemory();
+    }
+    state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(near.size()));
+  });
+}
+
 void register_set(const std::string& set, const SimdParts& parts) {
   // A record is aligned as in the backend: to its size.
   struct alignas(64) Line {
@@ -74,8 +115,11 @@ void register_pair_benchmarks() {
 #ifdef SABO_X86_SETS
   parts.insert(parts.end(), {&simd_parts_avx2, &simd_parts_avx512});
 #endif
-  for (std::size_t k = 0; k < all_pair_sweeps().size(); ++k)
-    register_set(all_pair_sweeps()[k]->instruction_set, *parts[k]);
+  for (std::size_t k = 0; k < all_pair_sweeps().size(); ++k) {
+    const PairSweeps& sweeps = *all_pair_sweeps()[k];
+    register_set(sweeps.instruction_set, *parts[k]);
+    register_product(sweeps.instruction_set, sweeps);
+  }
 }
 
 }  // namespace sabo
