@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "io/case_file/write_case.hpp"
 #include "io/output/file.hpp"
+#include "run/cost_forecast.hpp"
 #include "run/load_case.hpp"
 #include "run/preview.hpp"
 #include "run/preview_picture.hpp"
@@ -19,6 +20,7 @@ struct CheckOptions {
   std::string case_path;
   std::string picture;
   bool defaults = false;
+  bool no_forecast = false;
   std::vector<Override> overrides;
 };
 
@@ -37,6 +39,15 @@ void draw_preview(const CheckOptions& options, const std::string& svg) {
   }
 }
 
+/// How long the run will take, or why that cannot be told.
+std::string time_text(const Case& c, const Scene& scene) {
+  try {
+    return forecast_text(measured_forecast(c, scene));
+  } catch (const RunError& error) {
+    return fmt::format("not known, for the first steps fail: {}", error.what());
+  }
+}
+
 int check_case(const CheckOptions& options) {
   if (options.case_path.empty()) {
     fmt::print("{}", defaults_text());
@@ -51,7 +62,7 @@ int check_case(const CheckOptions& options) {
   }
   const Scene scene = make_scene(c, faults);
   faults.throw_if_any();
-  fmt::print("{}", preview_text(c, scene));
+  fmt::print("{}", preview_text(c, scene, options.no_forecast ? "" : time_text(c, scene)));
   draw_preview(options, preview_svg(c, scene));
   return exit_done;
 }
@@ -72,9 +83,12 @@ void add_check_command(CLI::App& program, Action& action) {
       ->add_option("-o,--output", options->picture,
                    "picture to draw; default: name of the case's folder with -check.svg")
       ->type_name("FILE");
+  command->add_flag("--no-forecast", options->no_forecast,
+                    "do not step the flow for a second or two to tell how long the run will take");
   add_case_option(*command, "numerics", "spacing", options->overrides);
   add_case_option(*command, "run", "duration", options->overrides);
   add_case_option(*command, "numerics", "method", options->overrides);
+  add_case_option(*command, "numerics", "threads", options->overrides);
   command->footer(
       "Examples:\n  sabo check demo\n  sabo check demo --spacing 1.5\n  sabo check --defaults");
   command->callback([&action, options, path] {

@@ -12,14 +12,16 @@ constexpr double bytes_per_particle = 400;  // fields, rates, start of the step,
 constexpr double bytes_of_watch = 150;      // for rest: positions at six times
 constexpr double bytes_per_neighbour = 4;   // its index
 constexpr double list_radius_over_kernel = 1.1;
-constexpr double late_depth = 2;            // particles
-constexpr double ground_beside_flow = 1.5;  // ground that is made, over ground under the flow
+constexpr double late_depth = 1.5;         // particles
+constexpr double late_length = 10;         // of the flow, over its width
+constexpr double ground_beside_flow = 11;  // spacings across: a list's radius and half a tile each
 
 }  // namespace
 
 double expected_boundary(const FlowModel& model, std::size_t particles) {
   const double layers = std::ceil(model.kernel_radius() / model.spacing);
-  return static_cast<double>(particles) / late_depth * layers * ground_beside_flow;
+  const double width = std::sqrt(static_cast<double>(particles) / late_depth / late_length);
+  return (width + ground_beside_flow) * (late_length * width + ground_beside_flow) * layers;
 }
 
 double expected_memory(const FlowModel& model, std::size_t particles, std::size_t dem_cells) {

@@ -7,8 +7,8 @@
 namespace sabo {
 
 /// Boundary particles that a run of that many particles has at its peak; right to a factor of about
-/// two. The peak comes late, when the flow has thinned out: it is taken to be two particles deep by
-/// then.
+/// two. The peak comes late, when the flow has thinned out: it is taken to be one and a half
+/// particles deep by then and ten times as long as wide.
 double expected_boundary(const FlowModel& model, std::size_t particles);
 
 /// Memory that a run on the CPU takes at its peak, bytes; right to a factor of about two.

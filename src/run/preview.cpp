@@ -224,7 +224,17 @@ void tell_sources(Preview& preview, const MaterialCase& material) {
   }
 }
 
-void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
+void tell_fast_step(Preview& preview, const Case& c, const FlowModel& model) {
+  const double slow = c.numerics.cfl * model.h / model.state.c0;
+  const double speed = c.numerics.reference_speed;
+  const double fast = c.numerics.cfl * model.h / (model.state.c0 + speed);
+  preview.line(
+      "Numerics",
+      speed > 0 ? fmt::format("time step {:.3g} s at rest, {:.3g} s at {:g} m/s", slow, fast, speed)
+                : fmt::format("time step {:.3g} s at rest, shorter in fast flow", slow));
+}
+
+void tell_paper_step(Preview& preview, const Case& c, const FlowModel& model) {
   const TimeStepRule rule = time_step_rule(c.numerics, model);
   const double speed = c.numerics.reference_speed;
   const double stiffest =
@@ -232,12 +242,6 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
   const double viscosity = stiffest / c.material.density;
   const TimeStep without_viscosity = rule({speed, c.numerics.gravity, 0});
   const TimeStep step = rule({speed, c.numerics.gravity, viscosity});
-
-  preview.line("Material", fmt::format("{}, {:g} kg/m3, at most {:.3g} Pa s",
-                                       name_of(c.material.law), c.material.density, stiffest));
-  tell_sources(preview, c.material);
-  preview.line("Numerics", fmt::format("{}, h = {:g} m, sound speed {:.0f} m/s",
-                                       word_of(c.numerics.method), model.h, model.state.c0));
   preview.line("Numerics",
                fmt::format("time step {:.3g} s, {} limit{}", step.dt, word_of(step.limit),
                            step.limit == StepLimit::viscous
@@ -249,9 +253,23 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
                            count_text(std::ceil(c.run.duration / step.dt)), c.run.duration));
 }
 
+void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
+  const double stiffest =
+      std::visit([](const auto& law) { return law.max_viscosity(); }, c.material.law);
+  preview.line("Material", fmt::format("{}, {:g} kg/m3, at most {:.3g} Pa s",
+                                       name_of(c.material.law), c.material.density, stiffest));
+  tell_sources(preview, c.material);
+  preview.line("Numerics", fmt::format("{}, h = {:g} m, sound speed {:.0f} m/s",
+                                       word_of(c.numerics.method), model.h, model.state.c0));
+  if (c.numerics.method == Method::fast)
+    tell_fast_step(preview, c, model);
+  else
+    tell_paper_step(preview, c, model);
+}
+
 }  // namespace
 
-std::string preview_text(const Case& c, const Scene& scene) {
+std::string preview_text(const Case& c, const Scene& scene, const std::string& time) {
   const FlowModel model = flow_model(c.material, c.numerics, scene.release_depth);
   Preview preview;
   if (!c.title.empty()) preview.line("Case", c.title);
@@ -266,6 +284,7 @@ std::string preview_text(const Case& c, const Scene& scene) {
                                      expected_memory(model, scene.release.size(),
                                                      scene.surface->elevation().grid.size()) /
                                          1e6));
+  if (!time.empty()) preview.line("Time", time);
   return preview.text();
 }
 

@@ -3,22 +3,17 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <memory>
 #include <utility>
 
 #include "base/error.hpp"
 #include "io/output/file.hpp"
+#include "run/flow.hpp"
 #include "run/frames.hpp"
 #include "run/manifest.hpp"
 #include "run/pictures.hpp"
 #include "run/recorder.hpp"
 #include "run/rest_text.hpp"
 #include "run/run_folder.hpp"
-#include "solver/domain.hpp"
-#include "solver/flow_model.hpp"
-#include "solver/make_backend.hpp"
-#include "solver/make_stepper.hpp"
-#include "terrain/ground.hpp"
 
 namespace sabo {
 namespace {
@@ -29,17 +24,6 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-GroundSettings ground_settings(const FlowModel& model) {
-  const int layers = static_cast<int>(std::ceil(model.kernel_radius() / model.spacing - 1e-9));
-  return {model.spacing, layers, model.state.rho0};
-}
-
-std::unique_ptr<Backend> loaded_backend(const Case& c, const Scene& scene, const FlowModel& model) {
-  auto backend = make_backend(c.numerics.backend, model);
-  backend->fluid() = scene.release;
-  return backend;
-}
-
 /// One run from its first step to its page.
 class Simulation {
  public:
@@ -47,14 +31,10 @@ class Simulation {
       : case_(c),
         scene_(scene),
         options_(options),
-        model_(flow_model(c.material, c.numerics, scene.release_depth)),
-        ground_(*scene.surface, scene.dams, ground_settings(model_)),
-        domain_(ground_),
-        backend_(loaded_backend(c, scene, model_)),
+        flow_(c, scene),
         folder_(folder),
-        recorder_(c, scene, model_, folder_),
-        frames_(scene, folder_),
-        stepper_(make_stepper(c.numerics, *backend_, &domain_)) {}
+        recorder_(c, scene, flow_.model(), folder_),
+        frames_(scene, folder_) {}
 
   RunResult run() {
     facts_.started = utc_now();
@@ -76,19 +56,19 @@ class Simulation {
     double row_due = 0;
     double frame_due = 0;
     StepReport report;
-    recorder_.after_renewal(domain_);
+    recorder_.after_renewal(flow_.domain());
     while (true) {
-      const double time = stepper_->time();
-      const bool is_empty = backend_->fluid().size() == 0;
+      const double time = flow_.stepper().time();
+      const bool is_empty = flow_.backend().fluid().size() == 0;
       const bool is_at_rest = case_.run.stop_at_rest && recorder_.motion().is_at_rest;
       const bool is_over = time >= duration || is_empty || is_at_rest;
       const bool is_stopped = options_.stop && *options_.stop;
       if (time >= row_due || is_over || is_stopped) {
-        recorder_.write_row(*stepper_, report, *backend_);
+        recorder_.write_row(flow_.stepper(), report, flow_.backend());
         row_due += case_.run.series_interval;
       }
       if (time >= frame_due || is_over || is_stopped) {
-        frames_.write(time, backend_->fluid());
+        frames_.write(time, flow_.backend().fluid());
         frame_due += case_.run.output_interval;
       }
       if (is_stopped && !is_over) facts_.end = RunEnd::interrupted;
@@ -97,12 +77,12 @@ class Simulation {
         facts_.reason = rest_reason(recorder_.motion(), case_.run);
       if (is_over || is_stopped) return;
 
-      report = stepper_->step(duration - time);
+      report = flow_.stepper().step(duration - time);
       facts_.top_speed = std::max(facts_.top_speed, report.flow.speed);
       facts_.sound_speed = std::max(facts_.sound_speed, report.sound_speed);
       facts_.top_mach = std::max(facts_.top_mach, report.flow.speed / report.sound_speed);
-      recorder_.after_step(stepper_->time(), report, backend_->fluid());
-      recorder_.after_renewal(domain_);
+      recorder_.after_step(flow_.stepper().time(), report, flow_.backend().fluid());
+      recorder_.after_renewal(flow_.domain());
       tell_progress(report);
     }
   }
@@ -110,7 +90,7 @@ class Simulation {
   /// Writes the state that a run failed in as its last frame, if it can be written at all.
   void show_failure() {
     try {
-      frames_.write(stepper_->time(), backend_->fluid());
+      frames_.write(flow_.stepper().time(), flow_.backend().fluid());
     } catch (const RunError& error) {
       facts_.reason += std::string("; its last frame could not be written: ") + error.what();
     }
@@ -119,13 +99,13 @@ class Simulation {
   void tell_progress(const StepReport& report) {
     if (!options_.on_progress || seconds_since(told_) < 0.2) return;
     told_ = Clock::now();
-    RunProgress progress{stepper_->time(),
+    RunProgress progress{flow_.stepper().time(),
                          case_.run.duration,
                          seconds_since(start_),
-                         stepper_->steps(),
+                         flow_.stepper().steps(),
                          report.dt,
-                         backend_->fluid().size(),
-                         backend_->boundary().size(),
+                         flow_.backend().fluid().size(),
+                         flow_.backend().boundary().size(),
                          report.flow.speed,
                          {},
                          {}};
@@ -139,11 +119,12 @@ class Simulation {
   /// Writes maps, pictures, page and manifest of whatever was reached.
   RunResult conclude() {
     // A state that failed must not leave its mark on the maps.
-    if (facts_.end != RunEnd::failed) recorder_.finish(stepper_->time(), backend_->fluid());
+    if (facts_.end != RunEnd::failed)
+      recorder_.finish(flow_.stepper().time(), flow_.backend().fluid());
     const FlowMaps& flow = recorder_.maps();
     const RunMaps maps{flow.depth(),        flow.peak_depth(),
                        flow.peak_speed(),   flow.peak_pressure(),
-                       flow.arrival_time(), layers_map(flow.peak_depth(), model_.spacing)};
+                       flow.arrival_time(), layers_map(flow.peak_depth(), flow_.model().spacing)};
     const std::vector<SeriesRow>& rows = recorder_.rows();
     fill_facts(maps);
     facts_.quantities = key_quantities(maps, rows, scene_);
@@ -176,13 +157,13 @@ class Simulation {
 
   void fill_facts(const RunMaps& maps) {
     facts_.wall = seconds_since(start_);
-    facts_.simulated = stepper_->time();
-    facts_.steps = stepper_->steps();
+    facts_.simulated = flow_.stepper().time();
+    facts_.steps = flow_.stepper().steps();
     facts_.motion = recorder_.motion();
-    facts_.boundary_particles = backend_->boundary().size();
-    facts_.resolution = resolution_guard(maps.peak_depth, model_.spacing);
-    for (const double mass : backend_->fluid().mass)
-      facts_.particle_volume += mass / model_.state.rho0;
+    facts_.boundary_particles = flow_.backend().boundary().size();
+    facts_.resolution = resolution_guard(maps.peak_depth, flow_.model().spacing);
+    for (const double mass : flow_.backend().fluid().mass)
+      facts_.particle_volume += mass / flow_.model().state.rho0;
     for (const double depth : maps.deposit.values)
       if (!std::isnan(depth)) facts_.raster_volume += depth * maps.deposit.grid.cell_area();
   }
@@ -190,14 +171,10 @@ class Simulation {
   const Case& case_;
   const Scene& scene_;
   const RunOptions& options_;
-  FlowModel model_;
-  Ground ground_;
-  Domain domain_;
-  std::unique_ptr<Backend> backend_;
+  Flow flow_;
   const RunFolder& folder_;
   Recorder recorder_;
   Frames frames_;
-  std::unique_ptr<Stepper> stepper_;
   RunFacts facts_;
   Clock::time_point start_ = Clock::now();
   Clock::time_point told_ = start_;

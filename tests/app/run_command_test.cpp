@@ -41,11 +41,11 @@ TEST_F(RunCommand, WritesARunFolderThatInfoReads) {
 }
 
 TEST_F(RunCommand, CheckDrawsAPictureAndPlotAPage) {
-  const Outcome check = in_folder("sabo check demo --spacing 4");
+  const Outcome check = in_folder("sabo check demo --no-forecast --spacing 4");
   EXPECT_EQ(check.code, 0) << check.text;
   EXPECT_THAT(check.text, HasSubstr("\nPicture: demo-check.svg\n"));
   EXPECT_THAT(folder_.read("demo-check.svg"), HasSubstr(">upper fan</text>"));
-  EXPECT_EQ(in_folder("sabo check demo -o there.svg").code, 0);
+  EXPECT_EQ(in_folder("sabo check demo --no-forecast -o there.svg").code, 0);
   EXPECT_TRUE(exists("there.svg"));
 
   ASSERT_EQ(in_folder("sabo run demo --spacing 4 --duration 0.1").code, 0);
@@ -114,7 +114,7 @@ TEST_F(RunCommand, StudyRunsEachSpacingOnce) {
 }
 
 TEST_F(RunCommand, CheckDescribesTheCase) {
-  const Outcome outcome = in_folder("sabo check demo --spacing 2");
+  const Outcome outcome = in_folder("sabo check demo --no-forecast --spacing 2");
   EXPECT_EQ(outcome.code, 0);
   EXPECT_THAT(outcome.text, HasSubstr("EPSG:32652"));
   EXPECT_THAT(outcome.text, HasSubstr("particles at 2 m"));

@@ -1,0 +1,176 @@
+#include "run/cost_forecast.hpp"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+#include <fmt/format.h>
+#include <omp.h>
+
+#include "run/flow.hpp"
+#include "run/memory_estimate.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr double ground_weight = 0.25;  // time of a ground particle over that of one of the flow
+constexpr double mean_over_top =
+    1.0 / 3;                         // of the fastest speed over a run: most of it is spent slow
+constexpr double fastest_flow = 30;  // m/s; debris flows are rarely faster
+constexpr double wall_limit = 1.5;   // s of measuring
+constexpr double share_of_duration = 0.02;
+constexpr std::size_t most_particles = 100000;  // that are stepped: half a second a list or less
+
+/// The acoustic time step at a speed, s.
+double acoustic_step(const CostOutlook& o, double sound, double speed) {
+  return o.method == Method::paper ? o.cfl * o.h / std::max(sound, 10 * speed)
+                                   : o.cfl * o.h / (sound + speed);
+}
+
+double expected_step(const CostSample& sample, const CostOutlook& o, double speed) {
+  const double sound = std::max(o.slowest_sound, o.sound_factor * speed);
+  const double later = acoustic_step(o, sound, speed);
+  const bool was_acoustic = sample.dt > 0.95 * acoustic_step(o, sample.sound_speed, sample.speed);
+  return was_acoustic ? later : std::min(sample.dt, later);
+}
+
+/// The particles nearest to the centre of the release.
+Particles part_of(const Particles& all, const Vec3d& centre, std::size_t count) {
+  std::vector<std::uint32_t> order(all.size());
+  std::iota(order.begin(), order.end(), 0U);
+  const auto distance = [&](std::uint32_t i) {
+    return std::hypot(all.position[i].x - centre.x, all.position[i].y - centre.y);
+  };
+  std::nth_element(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(count), order.end(),
+                   [&](auto a, auto b) { return distance(a) < distance(b); });
+  order.resize(count);
+  Particles part;
+  part.append(all, order);
+  return part;
+}
+
+double seconds_of_lists(const PassTimes& times) {
+  double sum = 0;
+  for (const PassTime& pass : times.passes())
+    if (pass.name == "neighbour search" || pass.name == "sort" || pass.name == "ground")
+      sum += pass.seconds / static_cast<double>(pass.calls);
+  return sum;
+}
+
+CostSample measure(Flow& flow, double duration) {
+  using Clock = std::chrono::steady_clock;
+  Backend& backend = flow.backend();
+  CostSample sample;
+  // One list was made with the flow. The first step does not count: it touches all memory anew.
+  const double list_seconds = seconds_of_lists(backend.pass_times());
+  StepReport report = flow.stepper().step();
+  backend.pass_times().clear();
+  const auto start = Clock::now();
+  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
+  std::size_t steps = 0;
+  do {
+    report = flow.stepper().step();
+    ++steps;
+  } while (seconds() < wall_limit && flow.stepper().time() < share_of_duration * duration);
+
+  double lists = 0;
+  for (const PassTime& pass : backend.pass_times().passes())
+    if (pass.name == "neighbour search" || pass.name == "sort" || pass.name == "ground")
+      lists += pass.seconds;
+  const double later_lists = seconds_of_lists(backend.pass_times());
+  sample.list_seconds = later_lists > 0 ? later_lists : list_seconds;
+  sample.step_seconds = std::max(0.0, seconds() - lists) / static_cast<double>(steps);
+  sample.fluid = backend.fluid().size();
+  sample.boundary = backend.boundary().size();
+  sample.dt = report.dt;
+  sample.speed = report.flow.speed;
+  sample.sound_speed = report.sound_speed;
+  return sample;
+}
+
+std::string count_text(double steps) {
+  return steps < 1e4 ? fmt::format("{:.0f}", steps) : fmt::format("{:.3g} thousand", steps / 1e3);
+}
+
+}  // namespace
+
+CostForecast forecast(const CostSample& sample, const CostOutlook& outlook) {
+  const double speed = std::max(sample.speed, mean_over_top * outlook.top_speed);
+  CostForecast result;
+  result.dt = expected_step(sample, outlook, speed);
+  result.steps = std::ceil(outlook.duration / result.dt);
+
+  // Of the part that was stepped, the ground grows as that of the whole.
+  const auto fluid = static_cast<double>(sample.fluid);
+  const auto ground = static_cast<double>(sample.boundary);
+  const double part = fluid / static_cast<double>(outlook.fluid);
+  const double mean_ground = 0.5 * (ground + std::max(ground, part * outlook.latest_ground));
+  const double growth = (fluid + ground_weight * mean_ground) / (fluid + ground_weight * ground);
+  const double steps_per_list = std::max(1.0, outlook.list_reach / (speed * result.dt));
+  const double step = sample.step_seconds + sample.list_seconds / steps_per_list;
+  result.seconds = result.steps * step * growth / part;
+  return result;
+}
+
+double speed_bound(const Case& c, const Scene& scene) {
+  const double given = c.numerics.reference_speed;
+  const double run = length(scene.path);
+  const auto height = [&](double station) {
+    const Vec3d at = point_at(scene.path, station);
+    return scene.surface->height(at.x, at.y);
+  };
+  if (!(run > 0)) return given;
+  const double friction = has_yield(c.material.law) ? c.material.yield.slope() : 0;
+  constexpr int samples = 200;
+  double head = 0;
+  for (int k = 1; k <= samples; ++k) {
+    const double station = run * k / samples;
+    head = std::max(head, height(0) - height(station) - friction * station);
+  }
+  const double sliding = std::min(fastest_flow, std::sqrt(2 * c.numerics.gravity * head));
+  return given > 0 ? std::min(given, sliding) : sliding;
+}
+
+CostForecast measured_forecast(const Case& c, const Scene& scene) {
+  const bool is_large = scene.release.size() > most_particles;
+  Flow flow(
+      c, scene,
+      is_large ? part_of(scene.release, scene.release_centre, most_particles) : scene.release);
+  const FlowModel& model = flow.model();
+  const bool is_fast = c.numerics.method == Method::fast;
+  CostOutlook outlook;
+  outlook.method = c.numerics.method;
+  outlook.duration = c.run.duration;
+  outlook.h = model.h;
+  outlook.cfl = c.numerics.cfl;
+  outlook.slowest_sound = model.state.c0;
+  if (is_fast && c.numerics.adaptive_sound_speed)
+    outlook.sound_factor = c.numerics.sound_speed_factor;
+  outlook.list_reach = 0.5 * (flow.backend().list_radius() - model.kernel_radius());
+  outlook.top_speed = speed_bound(c, scene);
+  outlook.fluid = scene.release.size();
+  outlook.latest_ground = expected_boundary(model, scene.release.size());
+  CostForecast result = forecast(measure(flow, c.run.duration), outlook);
+  result.threads = model.threads > 0 ? model.threads : omp_get_max_threads();
+  return result;
+}
+
+std::string forecast_text(const CostForecast& forecast) {
+  const double s = forecast.seconds;
+  const auto [unit, name] = s < 90       ? std::pair{1.0, "s"}
+                            : s < 5400   ? std::pair{60.0, "min"}
+                            : s < 172800 ? std::pair{3600.0, "h"}
+                                         : std::pair{86400.0, "days"};
+  const auto number = [u = unit](double seconds) {
+    return seconds < 9.5 * u ? fmt::format("{:.1g}", seconds / u)
+                             : fmt::format("{:.0f}", seconds / u);
+  };
+  return fmt::format("about {} {} on {} thread{} ({} to {} {}), {} steps of {:.2g} ms", number(s),
+                     name, forecast.threads, forecast.threads == 1 ? "" : "s",
+                     number(s / forecast_factor), number(s * forecast_factor), name,
+                     count_text(forecast.steps), 1e3 * forecast.dt);
+}
+
+}  // namespace sabo

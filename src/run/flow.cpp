@@ -1,0 +1,33 @@
+#include "run/flow.hpp"
+
+#include <cmath>
+
+#include "solver/flow_model.hpp"
+#include "solver/make_backend.hpp"
+#include "solver/make_stepper.hpp"
+
+namespace sabo {
+namespace {
+
+GroundSettings ground_settings(const FlowModel& model) {
+  const int layers = static_cast<int>(std::ceil(model.kernel_radius() / model.spacing - 1e-9));
+  return {model.spacing, layers, model.state.rho0};
+}
+
+std::unique_ptr<Backend> loaded_backend(const Case& c, const Particles& fluid,
+                                        const FlowModel& model) {
+  auto backend = make_backend(c.numerics.backend, model);
+  backend->fluid() = fluid;
+  return backend;
+}
+
+}  // namespace
+
+Flow::Flow(const Case& c, const Scene& scene, const Particles& fluid)
+    : model_(flow_model(c.material, c.numerics, scene.release_depth)),
+      ground_(*scene.surface, scene.dams, ground_settings(model_)),
+      domain_(ground_),
+      backend_(loaded_backend(c, fluid, model_)),
+      stepper_(make_stepper(c.numerics, *backend_, &domain_)) {}
+
+}  // namespace sabo
