@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <numeric>
 #include <vector>
 
@@ -19,7 +20,7 @@ constexpr double ground_weight = 0.25;  // time of a ground particle over that o
 constexpr double mean_over_top =
     1.0 / 3;                         // of the fastest speed over a run: most of it is spent slow
 constexpr double fastest_flow = 30;  // m/s; debris flows are rarely faster
-constexpr double wall_limit = 1.5;   // s of measuring
+constexpr double wall_limit = 1.2;   // s of measuring
 constexpr double share_of_duration = 0.02;
 constexpr std::size_t most_particles = 100000;  // that are stepped: half a second a list or less
 
@@ -51,39 +52,56 @@ Particles part_of(const Particles& all, const Vec3d& centre, std::size_t count) 
   return part;
 }
 
-double seconds_of_lists(const PassTimes& times) {
-  double sum = 0;
-  for (const PassTime& pass : times.passes())
-    if (pass.name == "neighbour search" || pass.name == "sort" || pass.name == "ground")
-      sum += pass.seconds / static_cast<double>(pass.calls);
-  return sum;
+bool makes_lists(const PassTime& pass) {
+  return pass.name == "neighbour search" || pass.name == "sort" || pass.name == "ground";
+}
+
+/// What making lists has taken, s: all of them, and one.
+struct ListTime {
+  double all = 0;
+  double one = 0;
+};
+
+ListTime list_time(const PassTimes& times) {
+  ListTime time;
+  for (const PassTime& pass : times.passes()) {
+    if (!makes_lists(pass)) continue;
+    time.all += pass.seconds;
+    time.one += pass.seconds / static_cast<double>(pass.calls);
+  }
+  return time;
+}
+
+/// What three of four are above: other programs only ever add time, and may be gone tomorrow.
+double lower_quartile(std::vector<double> values) {
+  const auto quarter = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 4);
+  std::nth_element(values.begin(), quarter, values.end());
+  return *quarter;
 }
 
 CostSample measure(Flow& flow, double duration) {
   using Clock = std::chrono::steady_clock;
-  Backend& backend = flow.backend();
-  CostSample sample;
-  // One list was made with the flow. The first step does not count: it touches all memory anew.
-  const double list_seconds = seconds_of_lists(backend.pass_times());
+  const auto seconds_since = [](Clock::time_point start) {
+    return std::chrono::duration<double>(Clock::now() - start).count();
+  };
+  const PassTimes& times = flow.backend().pass_times();
+  // The first step does not count: it touches all memory anew.
   StepReport report = flow.stepper().step();
-  backend.pass_times().clear();
+  std::vector<double> steps;  // without their lists, s
   const auto start = Clock::now();
-  const auto seconds = [&] { return std::chrono::duration<double>(Clock::now() - start).count(); };
-  std::size_t steps = 0;
   do {
+    const auto before = Clock::now();
+    const double lists = list_time(times).all;
     report = flow.stepper().step();
-    ++steps;
-  } while (seconds() < wall_limit && flow.stepper().time() < share_of_duration * duration);
+    steps.push_back(seconds_since(before) - (list_time(times).all - lists));
+  } while (seconds_since(start) < wall_limit &&
+           flow.stepper().time() < share_of_duration * duration);
 
-  double lists = 0;
-  for (const PassTime& pass : backend.pass_times().passes())
-    if (pass.name == "neighbour search" || pass.name == "sort" || pass.name == "ground")
-      lists += pass.seconds;
-  const double later_lists = seconds_of_lists(backend.pass_times());
-  sample.list_seconds = later_lists > 0 ? later_lists : list_seconds;
-  sample.step_seconds = std::max(0.0, seconds() - lists) / static_cast<double>(steps);
-  sample.fluid = backend.fluid().size();
-  sample.boundary = backend.boundary().size();
+  CostSample sample;
+  sample.list_seconds = list_time(times).one;
+  sample.step_seconds = lower_quartile(steps);
+  sample.fluid = flow.backend().fluid().size();
+  sample.boundary = flow.backend().boundary().size();
   sample.dt = report.dt;
   sample.speed = report.flow.speed;
   sample.sound_speed = report.sound_speed;
@@ -135,6 +153,9 @@ double speed_bound(const Case& c, const Scene& scene) {
 
 CostForecast measured_forecast(const Case& c, const Scene& scene) {
   const bool is_large = scene.release.size() > most_particles;
+  // Programs that wanted to run during the last minute; this one is not yet among them.
+  double load = 0;
+  if (getloadavg(&load, 1) != 1) load = 0;
   Flow flow(
       c, scene,
       is_large ? part_of(scene.release, scene.release_centre, most_particles) : scene.release);
@@ -154,6 +175,7 @@ CostForecast measured_forecast(const Case& c, const Scene& scene) {
   outlook.latest_ground = expected_boundary(model, scene.release.size());
   CostForecast result = forecast(measure(flow, c.run.duration), outlook);
   result.threads = model.threads > 0 ? model.threads : omp_get_max_threads();
+  result.is_busy = load + result.threads > omp_get_num_procs() + 0.5;
   return result;
 }
 
@@ -170,7 +192,8 @@ std::string forecast_text(const CostForecast& forecast) {
   return fmt::format("about {} {} on {} thread{} ({} to {} {}), {} steps of {:.2g} ms", number(s),
                      name, forecast.threads, forecast.threads == 1 ? "" : "s",
                      number(s / forecast_factor), number(s * forecast_factor), name,
-                     count_text(forecast.steps), 1e3 * forecast.dt);
+                     count_text(forecast.steps), 1e3 * forecast.dt) +
+         (forecast.is_busy ? "; uncertain, for other programs run beside it" : "");
 }
 
 }  // namespace sabo

@@ -13,7 +13,7 @@ struct CostSample {
   std::size_t fluid = 0;     ///< particles that were stepped
   std::size_t boundary = 0;  ///< the same
   double list_seconds = 0;   ///< wall time of one neighbour list: search, sort, ground
-  double step_seconds = 0;   ///< wall time of a step without its list
+  double step_seconds = 0;   ///< wall time of a step without its list, lower quartile
   double dt = 0;             ///< of the last step, s
   double speed = 0;          ///< of the fastest particle in it, m/s
   double sound_speed = 0;    ///< in it, m/s
@@ -38,6 +38,7 @@ struct CostForecast {
   double steps = 0;
   double dt = 0;  ///< mean, s
   int threads = 1;
+  bool is_busy = false;  ///< other programs ran while it was measured
 };
 
 /// How far the truth may be from the forecast, either way.
@@ -62,7 +63,8 @@ double speed_bound(const Case& c, const Scene& scene);
 /// and extrapolates. Of a large release only a part is stepped. Throws RunError if the flow fails.
 CostForecast measured_forecast(const Case& c, const Scene& scene);
 
-/// "about 6 min on 2 threads (3 to 12 min), 33 thousand steps of 9 ms"
+/// "about 6 min on 2 threads (3 to 12 min), 33 thousand steps of 9 ms"; on a busy machine also
+/// that.
 std::string forecast_text(const CostForecast& forecast);
 
 }  // namespace sabo

@@ -101,8 +101,8 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       "boundary_particles = {}\ntop_speed = {:.3f}\nsound_speed = {:.3f}\n",
       run_folder_version, toml_string(std::string(word_of(facts.end))), toml_string(facts.reason),
       toml_string(build_version), toml_string(build_compiler), toml_string(facts.started),
-      facts.wall, facts.simulated, facts.steps, facts.particles, facts.boundary_particles,
-      facts.top_speed, facts.sound_speed);
+      facts.solver.wall, facts.solver.simulated, facts.solver.steps, facts.particles,
+      facts.boundary_particles, facts.top_speed, facts.sound_speed);
   if (!rows.empty())
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
       text += "\n[[volumes]]\n" + volumes(scene, rows.back().volumes[k], k);
@@ -122,6 +122,7 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       facts.motion.is_at_rest, facts.motion.moving_volume, facts.motion.energy_share,
       facts.motion.creep);
   text += quantities_text(facts.quantities);
+  text += solver_toml(facts.solver) + passes_toml(facts.passes);
   write_file_atomically(folder.root() / "case.toml", write_case(c));
   write_file_atomically(folder.manifest(), text + input_checksums(c));
 }
@@ -131,8 +132,8 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   std::vector<std::string> lines;
   if (facts.end != RunEnd::finished || !facts.reason.empty())
     lines.push_back(fmt::format("The run {} at {:.2f} s of {:g} s{}{}", verb_of(facts.end),
-                                facts.simulated, c.run.duration, facts.reason.empty() ? "" : ": ",
-                                facts.reason));
+                                facts.solver.simulated, c.run.duration,
+                                facts.reason.empty() ? "" : ": ", facts.reason));
   if (facts.end == RunEnd::finished && !facts.motion.is_at_rest)
     lines.push_back("Not at rest at the end: " + motion_text(facts.motion, c.run));
   if (!c.note.empty()) lines.push_back("Note: " + c.note);
@@ -141,6 +142,7 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   lines.push_back(fmt::format(
       "Map volume {:.1f} m3, particle volume {:.1f} m3, difference {:.4f} %", facts.raster_volume,
       facts.particle_volume, percent(facts.raster_volume, facts.particle_volume)));
+  lines.push_back(solver_text(facts.solver));
   lines.push_back("Resolution: " + resolution_text(facts.resolution));
   if (const std::string warning = resolution_warning(facts.resolution); !warning.empty())
     lines.push_back("  " + warning);
@@ -164,8 +166,9 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       fmt::format("sabo {} · {} · {}", build_version, facts.started, word_of(facts.end));
   page.note = c.note;
   page.facts = {
-      {"Simulated", fmt::format("{:.1f} s of {:g} s, {} steps, {:.0f} s of computing",
-                                facts.simulated, c.run.duration, facts.steps, facts.wall)},
+      {"Simulated", fmt::format("{:.1f} s of {:g} s in {:.0f} s of computing",
+                                facts.solver.simulated, c.run.duration, facts.solver.wall)},
+      {"Steps", solver_text(facts.solver)},
       {"Particles", fmt::format("{} of the flow, spacing {:g} m; {} of the ground at the end",
                                 facts.particles, c.numerics.spacing, facts.boundary_particles)},
       {"Material",
@@ -186,25 +189,26 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
   page.warning = resolution_warning(facts.resolution);
   page.tables = result_tables(c, scene, rows);
-  page.details = {parameter_table(c)};
+  page.details = {parameter_table(c), pass_table(facts.passes)};
   page.pictures = std::move(pictures);
-  page.files = {{"case.toml", "the case with every default"},
-                {"manifest.toml", "version, times, volumes, checksums of the inputs"},
-                {"maps/dep.tif", "depth at the end, m"},
-                {"maps/pfd.tif", "greatest depth, m"},
-                {"maps/pfv.tif", "greatest speed, m/s"},
-                {"maps/ppr.tif", "greatest pressure, kPa"},
-                {"maps/tarr.tif", "arrival time, s"},
-                {"maps/res.tif", "greatest depth over the particle spacing, particles"},
-                {"maps/ground.tif", "elevation of the ground as the run used it, m"},
-                {"series/front.csv", "position, displacement and velocity of the front"},
-                {"series/discharge.csv", "discharge through the sections"},
-                {"series/volumes.csv", "released, trapped, beyond, outflow"},
-                {"series/energy.csv", "mass and energies"},
-                {"series/rest.csv", "moving volume, kinetic energy over its peak, creep"},
-                {"series/solver.csv", "time step, speeds, density range, particle counts"},
-                {"frames/flow.pvd", "particles as a time series for ParaView"},
-                {"frames/ground.vtp", "the ground for ParaView"}};
+  page.files = {
+      {"case.toml", "the case with every default"},
+      {"manifest.toml", "version, times, volumes, passes of the solver, checksums of the inputs"},
+      {"maps/dep.tif", "depth at the end, m"},
+      {"maps/pfd.tif", "greatest depth, m"},
+      {"maps/pfv.tif", "greatest speed, m/s"},
+      {"maps/ppr.tif", "greatest pressure, kPa"},
+      {"maps/tarr.tif", "arrival time, s"},
+      {"maps/res.tif", "greatest depth over the particle spacing, particles"},
+      {"maps/ground.tif", "elevation of the ground as the run used it, m"},
+      {"series/front.csv", "position, displacement and velocity of the front"},
+      {"series/discharge.csv", "discharge through the sections"},
+      {"series/volumes.csv", "released, trapped, beyond, outflow"},
+      {"series/energy.csv", "mass and energies"},
+      {"series/rest.csv", "moving volume, kinetic energy over its peak, creep"},
+      {"series/solver.csv", "time step, speeds, density range, particle counts"},
+      {"frames/flow.pvd", "particles as a time series for ParaView"},
+      {"frames/ground.vtp", "the ground for ParaView"}};
   if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
   return page;
 }

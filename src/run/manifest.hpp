@@ -7,6 +7,7 @@
 #include "analysis/rest.hpp"
 #include "io/output/index_page.hpp"
 #include "run/key_quantities.hpp"
+#include "run/pass_account.hpp"
 #include "run/recorder.hpp"
 #include "run/run_folder.hpp"
 #include "run/simulation.hpp"
@@ -18,9 +19,8 @@ struct RunFacts {
   RunEnd end = RunEnd::finished;
   std::string reason;   ///< of a failure, or of an end before the case's duration
   std::string started;  ///< UTC, ISO 8601
-  double wall = 0;      ///< s
-  double simulated = 0;
-  std::size_t steps = 0;
+  SolverTotals solver;
+  std::vector<PassShare> passes;
   std::size_t particles = 0;           ///< released
   std::size_t boundary_particles = 0;  ///< at the end
   double raster_volume = 0;            ///< sum over dep.tif, m3

@@ -3,6 +3,7 @@
 #include <cstddef>
 
 #include "backend/model.hpp"
+#include "case/numerics_case.hpp"
 
 namespace sabo {
 
@@ -12,6 +13,7 @@ namespace sabo {
 double expected_boundary(const FlowModel& model, std::size_t particles);
 
 /// Memory that a run on the CPU takes at its peak, bytes; right to a factor of about two.
-double expected_memory(const FlowModel& model, std::size_t particles, std::size_t dem_cells);
+double expected_memory(const FlowModel& model, Method method, std::size_t particles,
+                       std::size_t dem_cells);
 
 }  // namespace sabo

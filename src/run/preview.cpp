@@ -281,7 +281,7 @@ std::string preview_text(const Case& c, const Scene& scene, const std::string& t
   tell_lines(preview, c, scene);
   tell_numerics(preview, c, model);
   preview.line("Memory", fmt::format("about {:.0f} MB",
-                                     expected_memory(model, scene.release.size(),
+                                     expected_memory(model, c.numerics.method, scene.release.size(),
                                                      scene.surface->elevation().grid.size()) /
                                          1e6));
   if (!time.empty()) preview.line("Time", time);

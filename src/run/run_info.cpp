@@ -22,12 +22,12 @@ constexpr std::size_t max_manifest = 1'000'000;  // bytes
 
 /// Units of the manifest's keys.
 const std::map<std::string_view, std::string_view> units{
-    {"wall_s", "s"},           {"simulated_s", "s"},     {"top_speed", "m/s"},
-    {"sound_speed", "m/s"},    {"released", "m3"},       {"outflow", "m3"},
-    {"trapped", "m3"},         {"beyond", "m3"},         {"raster_volume", "m3"},
-    {"particle_volume", "m3"}, {"wet_area", "m2"},       {"mean_wet", "m"},
-    {"mean_all", "m"},         {"greatest", "m"},        {"volume", "m3"},
-    {"moving_volume", "m3"},   {"creep", "spacings/min"}};
+    {"wall_s", "s"},           {"simulated_s", "s"},      {"top_speed", "m/s"},
+    {"sound_speed", "m/s"},    {"released", "m3"},        {"outflow", "m3"},
+    {"trapped", "m3"},         {"beyond", "m3"},          {"raster_volume", "m3"},
+    {"particle_volume", "m3"}, {"wet_area", "m2"},        {"mean_wet", "m"},
+    {"mean_all", "m"},         {"greatest", "m"},         {"volume", "m3"},
+    {"moving_volume", "m3"},   {"creep", "spacings/min"}, {"mean_dt", "s"}};
 
 /// "boundary particles" of boundary_particles, "wall" of wall_s; file names stay as they are.
 std::string label_of(std::string key) {
@@ -71,14 +71,31 @@ std::string table_text(const std::string& heading, const TomlTable& table) {
   return text;
 }
 
+/// The passes of the solver, a line each.
+std::string passes_text(const TomlArray& passes) {
+  std::string text = "\npasses                      seconds    share      calls    pairs/s\n";
+  for (const TomlNode& item : passes) {
+    const auto* pass = std::get_if<TomlTable>(&item.value);
+    if (!pass) continue;
+    const auto value = [&](const char* key) {
+      const TomlNode* node = find(*pass, key);
+      return node ? text_of(*node) : "-";
+    };
+    text += fmt::format("  {:<20} {:>12} {:>8} {:>10} {:>10}\n", value("name"), value("seconds"),
+                        value("share"), value("calls"), value("pairs_per_s"));
+  }
+  return text;
+}
+
 std::string manifest_text(const TomlTable& manifest) {
   std::string text;
   for (const auto& [key, node] : manifest) {
     if (const auto* table = std::get_if<TomlTable>(&node.value)) text += table_text(key, *table);
     if (const auto* list = std::get_if<TomlArray>(&node.value)) {
+      if (key == "passes") text += passes_text(*list);
       for (const TomlNode& item : *list) {
-        if (const auto* table = std::get_if<TomlTable>(&item.value))
-          text += table_text(key, *table);
+        const auto* table = std::get_if<TomlTable>(&item.value);
+        if (table && key != "passes") text += table_text(key, *table);
       }
     }
   }

@@ -39,6 +39,7 @@ class Simulation {
   RunResult run() {
     facts_.started = utc_now();
     facts_.particles = scene_.release.size();
+    facts_.sound_speed = flow_.model().state.c0;
     try {
       simulate();
     } catch (const RunError& error) {
@@ -81,6 +82,7 @@ class Simulation {
       facts_.top_speed = std::max(facts_.top_speed, report.flow.speed);
       facts_.sound_speed = std::max(facts_.sound_speed, report.sound_speed);
       facts_.top_mach = std::max(facts_.top_mach, report.flow.speed / report.sound_speed);
+      facts_.solver.iterations += static_cast<std::uint64_t>(report.iterations);
       recorder_.after_step(flow_.stepper().time(), report, flow_.backend().fluid());
       recorder_.after_renewal(flow_.domain());
       tell_progress(report);
@@ -156,9 +158,10 @@ class Simulation {
   }
 
   void fill_facts(const RunMaps& maps) {
-    facts_.wall = seconds_since(start_);
-    facts_.simulated = flow_.stepper().time();
-    facts_.steps = flow_.stepper().steps();
+    facts_.solver.wall = seconds_since(start_);
+    facts_.solver.simulated = flow_.stepper().time();
+    facts_.solver.steps = flow_.stepper().steps();
+    facts_.passes = pass_shares(flow_.backend().pass_times(), facts_.solver.wall);
     facts_.motion = recorder_.motion();
     facts_.boundary_particles = flow_.backend().boundary().size();
     facts_.resolution = resolution_guard(maps.peak_depth, flow_.model().spacing);
