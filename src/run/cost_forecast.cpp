@@ -169,7 +169,7 @@ CostForecast measured_forecast(const Case& c, const Scene& scene) {
   outlook.slowest_sound = model.state.c0;
   if (is_fast && c.numerics.adaptive_sound_speed)
     outlook.sound_factor = c.numerics.sound_speed_factor;
-  outlook.list_reach = 0.5 * (flow.backend().list_radius() - model.kernel_radius());
+  outlook.list_reach = flow.backend().list_radius() - model.kernel_radius();
   outlook.top_speed = speed_bound(c, scene);
   outlook.fluid = scene.release.size();
   outlook.latest_ground = expected_boundary(model, scene.release.size());

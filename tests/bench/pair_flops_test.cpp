@@ -97,7 +97,7 @@ TEST(PairFlops, OfForceAndMatrixAreThoseOfItsFormulas) {
     Vec3<Counted> acceleration = vector, gradient = vector;
     Counted conductance(0), filling(0);
     acceleration += pressure_force(pair, one, one, one);
-    conductance += viscous_conductance(pair, pair_viscosity(one, one), one, one, one);
+    conductance += viscous_conductance(pair, pair_viscosity(one, one), one, one);
     filling += one * kernel.value(sqrt(pair.r2)) * positive(pair.r2);
     gradient += (one * pair.gradient) * pair.x;
     const Counted is_near = pair.gradient * pair.r2;

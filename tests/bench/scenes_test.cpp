@@ -76,10 +76,11 @@ TEST_P(Methods, HaveOneNeighbourListInEachRepetition) {
   ASSERT_NE(pass, times.passes.end());
   EXPECT_EQ(pass->seconds.values.size(), 3u);
   EXPECT_EQ(flow.backend->pass_times()["neighbour search"].calls, 1u);  // of the last
-  // The flow runs at 0.05 c0 and a list lasts 0.15 h, but for half a step ahead with method paper.
-  // paper: a step is 0.2 h / c0, 0.01 h; 14 of them. fast: 0.6 h / 1.05 c0, 0.0286 h, and the step
-  // that goes beyond the list counts, for the next one begins with a new one; 6 of them.
-  const int expected = GetParam() == Method::paper ? 14 : 6;
+  // The flow runs at 0.05 c0 over ground at rest, and a list lasts 0.3 h, but for half a step ahead
+  // with method paper. paper: a step is 0.2 h / c0, 0.01 h; 30 of them. fast: 0.6 h / 1.05 c0,
+  // 0.0286 h, and the step that goes beyond the list counts, for the next one begins with a new
+  // one; 11 of them.
+  const int expected = GetParam() == Method::paper ? 30 : 11;
   EXPECT_NEAR(times.steps_per_list(), expected, 1.5);
 }
 
