@@ -14,9 +14,7 @@ class Domain {
 
   /// Takes particles that left the DEM out of `fluid`, puts those found below the ground, by more
   /// than a tenth of a spacing, back on it (both are counted) and makes the ground within `reach`
-  /// (m) of the rest. Called each time the
-  /// `reach` (m) of the rest. Called each time the neighbour list is renewed, that is before
-  /// anything has moved a tenth of a smoothing length.
+  /// (m) of the rest. Called each time the neighbour list is renewed.
   void update(Particles& fluid, Particles& boundary, double reach);
 
   /// Particles that left since the last call.
