@@ -8,6 +8,7 @@
 
 #include "backend/host_loops.hpp"
 #include "physics/pair/strain_rate.hpp"
+#include "physics/shear_state.hpp"
 
 namespace sabo {
 namespace {
@@ -19,6 +20,7 @@ using Index = std::ptrdiff_t;  // OpenMP loops want a signed index
 HostBackend::HostBackend(const FlowModel& model)
     : Backend(model),
       half_space_(model.h, model.dimension, model.spacing),
+      yield_slope_(model.yield.slope()),
       threads_(model.threads > 0 ? model.threads : omp_get_max_threads()) {}
 
 void HostBackend::find_neighbours() {
@@ -42,35 +44,26 @@ void HostBackend::find_neighbours() {
 void HostBackend::pressure() {
   const PassClock clock(pass_times_, "pressure");
   const Tait state = model_.state;
-  for (Particles* particles : {&fluid_, &boundary_}) {
-    const Index count = static_cast<Index>(particles->size());
-#pragma omp parallel for num_threads(threads_) if (count > worth_threads) schedule(static)
-    for (Index i = 0; i < count; ++i)
-      particles->pressure[i] = state.pressure(particles->density[i]);
-  }
+  for (Particles* particles : {&fluid_, &boundary_})
+    over(particles->size(), threads_,
+         [&](std::size_t i) { particles->pressure[i] = state.pressure(particles->density[i]); });
 }
 
 template <class Law>
 void HostBackend::stress_of(const Law& law, Particles& particles, std::size_t offset,
                             bool carries_stress) {
-  const MohrCoulomb yield = model_.yield;
-  const double slope = yield.slope();
   const double convention = model_.strain_convention();  // in the shear rate and in the stress
-  const Index count = static_cast<Index>(particles.size());
-#pragma omp parallel for num_threads(threads_) if (count > worth_threads) schedule(static)
-  for (Index i = 0; i < count; ++i) {
+  over(particles.size(), threads_, [&](std::size_t i) {
     const Sym3<double>& eps = strain_[offset + i];
     const double p = particles.pressure[i];
     const double gd = convention * shear_rate(eps);
-    const Shear at =
-        Law::has_yield ? Shear{gd, yield(p, slope), yield.effective_pressure(p)} : Shear{gd};
-    const double mu = law.viscosity(at);
+    const double mu = law.viscosity(shear_state<Law>(gd, p, model_.yield, yield_slope_));
     const double rho2 = particles.density[i] * particles.density[i];
     particles.shear_rate[i] = gd;
     particles.viscosity[i] = mu;
     stress_[offset + i] = isotropic(-p / rho2);
     if (carries_stress) stress_[offset + i] += (convention * mu / rho2) * eps;
-  }
+  });
 }
 
 void HostBackend::stress() {
@@ -165,17 +158,15 @@ void HostBackend::predict(double dt) {
   start_boundary_density_ = boundary_.density;
   const double half = 0.5 * dt;
   const double rho0 = model_.state.rho0;
-  const Index fluids = static_cast<Index>(fluid_.size());
-#pragma omp parallel for num_threads(threads_) if (fluids > worth_threads) schedule(static)
-  for (Index i = 0; i < fluids; ++i) {
+  const std::size_t fluids = fluid_.size();
+  over(fluids, threads_, [&](std::size_t i) {
     fluid_.position[i] += half * fluid_.velocity[i];
     fluid_.velocity[i] += half * acceleration_[i];
     fluid_.density[i] += half * density_rate_[i];
-  }
-  const Index walls = static_cast<Index>(boundary_.size());
-#pragma omp parallel for num_threads(threads_) if (walls > worth_threads) schedule(static)
-  for (Index i = 0; i < walls; ++i)
+  });
+  over(boundary_.size(), threads_, [&](std::size_t i) {
     boundary_.density[i] = std::max(rho0, boundary_.density[i] + half * density_rate_[fluids + i]);
+  });
 }
 
 void HostBackend::correct(double dt) {
@@ -187,21 +178,19 @@ void HostBackend::correct(double dt) {
     const double k = dt * rate / middle;
     return start * (2 + k) / (2 - k);
   };
-  const Index fluids = static_cast<Index>(fluid_.size());
-#pragma omp parallel for num_threads(threads_) if (fluids > worth_threads) schedule(static)
-  for (Index i = 0; i < fluids; ++i) {
+  const std::size_t fluids = fluid_.size();
+  over(fluids, threads_, [&](std::size_t i) {
     const Vec3d velocity = start_velocity_[i] + dt * acceleration_[i];
     fluid_.position[i] = start_position_[i] + (0.5 * dt) * (start_velocity_[i] + velocity);
     fluid_.velocity[i] = velocity;
     fluid_.density[i] = advanced(start_density_[i], fluid_.density[i], density_rate_[i]);
-  }
+  });
   // A wall that remembers suction would hold the flow back: boundary density stays at or above
   // its reference (as in dynamic boundary codes since Crespo et al. 2007).
-  const Index walls = static_cast<Index>(boundary_.size());
-#pragma omp parallel for num_threads(threads_) if (walls > worth_threads) schedule(static)
-  for (Index i = 0; i < walls; ++i)
+  over(boundary_.size(), threads_, [&](std::size_t i) {
     boundary_.density[i] = std::max(rho0, advanced(start_boundary_density_[i], boundary_.density[i],
                                                    density_rate_[fluids + i]));
+  });
 }
 
 }  // namespace sabo

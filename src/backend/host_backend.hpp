@@ -56,6 +56,7 @@ class HostBackend : public Backend {
   void find_viscosity();
 
   HalfSpace half_space_;
+  double yield_slope_;  ///< of the model's yield: a tangent that no particle has to take again
   Particles fluid_;
   Particles boundary_;
   std::vector<std::uint32_t> awake_;  ///< fluid particles that take part in the sweeps, in order

@@ -5,6 +5,7 @@
 #include "backend/host_backend.hpp"
 #include "backend/host_loops.hpp"
 #include "physics/pair/strain_rate.hpp"
+#include "physics/shear_state.hpp"
 
 // The sweeps of the implicit method that look at one particle at a time.
 
@@ -32,9 +33,7 @@ WallContact HostBackend::contact_of(const Law& law, std::size_t i, const Vec3d& 
   const double convention = model_.strain_convention();
   const double rate = convention * at.speed / distance;
   const double halfway = 0.5 * (fluid_.pressure[i] + pressure);
-  const Shear shear = Law::has_yield ? Shear{rate, model_.yield(halfway, model_.yield.slope()),
-                                             model_.yield.effective_pressure(halfway)}
-                                     : Shear{rate};
+  const Shear shear = shear_state<Law>(rate, halfway, model_.yield, yield_slope_);
   // u/d is the shear rate halfway to the wall. What the friction of the last step takes from the
   // fluid between there and the wall, rho f d/2, comes on top, whatever the law of flow.
   const double halfway_sticking = convention * law.viscosity(shear) / distance;
@@ -122,19 +121,15 @@ void HostBackend::advance_state(double dt) {
 }
 
 void HostBackend::find_viscosity() {
-  const MohrCoulomb yield = model_.yield;
-  const double slope = yield.slope();
   const double convention = model_.strain_convention();
   std::visit(
       [&](const auto& law) {
         using Law = std::decay_t<decltype(law)>;
         over_rows(awake_, threads_, [&](std::size_t i) {
-          const double p = fluid_.pressure[i];
           const double gd = convention * shear_rate(strain_[i]);
-          const Shear at =
-              Law::has_yield ? Shear{gd, yield(p, slope), yield.effective_pressure(p)} : Shear{gd};
           fluid_.shear_rate[i] = gd;
-          fluid_.viscosity[i] = law.viscosity(at);
+          fluid_.viscosity[i] =
+              law.viscosity(shear_state<Law>(gd, fluid_.pressure[i], model_.yield, yield_slope_));
         });
       },
       model_.rheology);

@@ -1,7 +1,4 @@
-#include <limits>
-
 #include "backend/host_backend.hpp"
-#include "backend/host_loops.hpp"
 
 // Which particles take part in the sweeps of the implicit method.
 
@@ -16,7 +13,7 @@ bool HostBackend::is_calm(std::size_t i) const {
   const SleepRule& rule = model_.sleep;
   if (!(rule.speed > 0) || !has_neighbours_[i]) return false;
   if (dot(fluid_.velocity[i], fluid_.velocity[i]) > rule.speed * rule.speed) return false;
-  const double yield = model_.yield(fluid_.pressure[i], model_.yield.slope());
+  const double yield = model_.yield(fluid_.pressure[i], yield_slope_);
   return fluid_.viscosity[i] * fluid_.shear_rate[i] < SleepRule::yield_share * yield;
 }
 
@@ -50,13 +47,13 @@ void HostBackend::update_sleep() {
   }
   const std::size_t before = awake_.size();
   bool changes = false;
-  over(fluid_.size(), 1, [&](std::size_t i) {
+  for (std::size_t i = 0; i < fluid_.size(); ++i) {
     if (wakes[i]) fluid_.calm[i] = 0;
     changes = changes || wakes[i];
-    if (!is_asleep(i)) return;
+    if (!is_asleep(i)) continue;
     fluid_.velocity[i] = {};
     fluid_.drag[i] = {};
-  });
+  }
   list_awake();
   if (changes || awake_.size() != before) prepare_rows();
 }

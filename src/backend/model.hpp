@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 #include "backend/periodic.hpp"
 #include "math/vec3.hpp"
 #include "physics/equation_of_state.hpp"
@@ -49,6 +51,8 @@ struct FlowModel {
     return WendlandC2<T>::make(h, dimension);
   }
   double kernel_radius() const { return 2 * h; }
+  /// Layers of boundary particles that fill the kernel of a particle at the wall.
+  int wall_layers() const { return static_cast<int>(std::ceil(kernel_radius() / spacing - 1e-9)); }
   /// Regularises r^2 in denominators, m2 (0.01 h^2 as in the paper).
   double eta2() const { return 0.01 * h * h; }
   /// Density gradient of the fluid at rest that diffusion leaves alone, over rho0, 1/m.

@@ -71,10 +71,6 @@ void add_cells(Particles& particles, const FlowModel& model, int nx, int ny, int
         add_particle(particles, model, {(i + 0.5) * dp, (j + 0.5) * dp, (k + 0.5) * dp});
 }
 
-int layers_of(const FlowModel& model) {
-  return static_cast<int>(std::ceil(model.kernel_radius() / model.spacing - 1e-9));
-}
-
 /// Density of the fluid at rest at a depth of `below_surface` (m).
 double density_at(const FlowModel& model, double below_surface) {
   return model.state.density(model.state.rho0 * -model.gravity.z * std::max(0.0, below_surface));
@@ -138,7 +134,7 @@ BenchFlow cube_on_floor(const PairSweeps& sweeps, Method method, int side, int t
   BenchFlow flow;
   flow.backend = std::make_unique<CpuBackend>(model, sweeps);
   add_cells(flow.backend->fluid(), model, side, side, 0, side);
-  add_cells(flow.backend->boundary(), model, side, side, -layers_of(model), 0);
+  add_cells(flow.backend->boundary(), model, side, side, -model.wall_layers(), 0);
   finish(flow, debris_numerics(method, threads));
   return flow;
 }
@@ -151,7 +147,7 @@ BenchFlow layer_flow(Method method, int side, int threads) {
   flow.backend = make_backend(BackendKind::cpu, model);
   Particles& fluid = flow.backend->fluid();
   add_cells(fluid, model, side, side, 0, depth);
-  add_cells(flow.backend->boundary(), model, side, side, -layers_of(model), 0);
+  add_cells(flow.backend->boundary(), model, side, side, -model.wall_layers(), 0);
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     fluid.velocity[i] = {start_speed * model.state.c0, 0, 0};
     fluid.density[i] = density_at(model, depth * model.spacing - fluid.position[i].z);
@@ -172,7 +168,7 @@ BenchFlow slope_flow(Method method, int side, int map_side, int threads) {
   BenchFlow flow;
   flow.surface = std::make_unique<Surface>(rough_map(map_side));
   flow.ground = std::make_unique<Ground>(*flow.surface, std::vector<CheckDam>{},
-                                         GroundSettings{dp, layers_of(model), model.state.rho0});
+                                         GroundSettings{dp, model.wall_layers(), model.state.rho0});
   flow.domain = std::make_unique<Domain>(*flow.ground);
   flow.backend = make_backend(BackendKind::cpu, model);
   Particles& fluid = flow.backend->fluid();

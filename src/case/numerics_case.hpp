@@ -102,8 +102,7 @@ struct NumericsCase {
       viscous_operator);
     v(Key{"boundary_stress", "",
           "paper: stress that boundary particles carry: own, mirror (own, with the wall moving "
-          "against "
-          "the flow) or none; it decides the mobility"},
+          "against the flow) or none; it decides the mobility"},
       boundary_stress);
     v(Key{"boundary_pressure", "",
           "paper: dynamic, boundary particles obey continuity; extrapolated, from the fluid near "

@@ -1,7 +1,5 @@
 #include "run/flow.hpp"
 
-#include <cmath>
-
 #include "solver/flow_model.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -10,8 +8,7 @@ namespace sabo {
 namespace {
 
 GroundSettings ground_settings(const FlowModel& model) {
-  const int layers = static_cast<int>(std::ceil(model.kernel_radius() / model.spacing - 1e-9));
-  return {model.spacing, layers, model.state.rho0};
+  return {model.spacing, model.wall_layers(), model.state.rho0};
 }
 
 std::unique_ptr<Backend> loaded_backend(const Case& c, const Particles& fluid,

@@ -5,7 +5,6 @@
 #include <numbers>
 
 namespace sabo {
-
 namespace {
 
 WallShear wall_shear(const NumericsCase& numerics) {

@@ -88,7 +88,7 @@ struct Layer {
     model.periodic.period[0] = {period * dp, 0, 0};
     if (model.dimension == 3) model.periodic.period[1] = {0, period * dp, 0};
     auto backend = make_backend(kind, model);
-    const int layers = static_cast<int>(std::ceil(2 * model.h / dp - 1e-9));
+    const int layers = model.wall_layers();
     add_block(backend->fluid(), model, {0, period, 0, period, 0, cells});
     add_block(backend->boundary(), model, {0, period, 0, period, -layers, 0});
     if (has_lid)

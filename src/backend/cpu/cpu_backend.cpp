@@ -14,8 +14,6 @@ namespace {
 
 using Index = std::ptrdiff_t;
 
-constexpr std::size_t sweep_block = 128;
-
 }  // namespace
 
 CpuBackend::CpuBackend(const FlowModel& model, const PairSweeps& sweeps)
@@ -74,13 +72,24 @@ void CpuBackend::set_scale() {
   scale_.kernel_alpha = kernel.alpha;
   scale_.eta2 = float(model_.eta2());
   scale_.rho0 = float(model_.state.rho0);
-  const Vec3d background = model_.diffusion_background();
-  scale_.two_zeta_h_c0 = float(2 * model_.density_diffusion * model_.h * model_.state.c0);
-  scale_.hydrostatic = {float(background.x), float(background.y), float(background.z)};
+  set_sound_terms();
   scale_.wall_velocity_factor = float(model_.wall_velocity_factor());
-  scale_.alpha_c0_h = float(model_.artificial_viscosity * model_.state.c0 * model_.h);
   scale_.dimension = model_.dimension;
   scale_.two_point_viscosity = model_.viscous_operator == ViscousOperator::morris;
+}
+
+/// What depends on the sound speed, which may change from step to step.
+void CpuBackend::set_sound_terms() {
+  const double c0 = model_.state.c0;
+  const Vec3d background = model_.diffusion_background();
+  scale_.two_zeta_h_c0 = float(2 * model_.density_diffusion * model_.h * c0);
+  scale_.hydrostatic = {float(background.x), float(background.y), float(background.z)};
+  scale_.alpha_c0_h = float(model_.artificial_viscosity * c0 * model_.h);
+}
+
+void CpuBackend::set_sound_speed(double c0) {
+  HostBackend::set_sound_speed(c0);
+  set_sound_terms();
 }
 
 bool CpuBackend::neighbours_are_stale(double margin) const {

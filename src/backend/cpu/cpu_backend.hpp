@@ -26,6 +26,7 @@ class CpuBackend : public HostBackend {
   void near_forces() override;
   ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) override;
   void near_motion() override;
+  void set_sound_speed(double c0) override;
 
  protected:
   void list_pairs() override;
@@ -34,10 +35,12 @@ class CpuBackend : public HostBackend {
 
  private:
   void set_scale();
+  void set_sound_terms();
   void pack_motion();
   void pack_stress();
   void pack_flow(const Particles& particles, std::size_t i, FlowRecord& record) const;
   void pack_motion(const Particles& particles, std::size_t i, std::size_t at);
+  void pack_near_motion();
 
   const PairSweeps& sweeps_;
   double skin_;
@@ -51,7 +54,7 @@ class CpuBackend : public HostBackend {
   std::vector<StressRecord> stress_records_;
 
   // Of the implicit method.
-  std::vector<std::uint32_t> touched_walls_;  // boundary rows of the list that are not empty
+  std::vector<std::uint32_t> touched_walls_;  // boundary rows with a fluid particle that is awake
   std::vector<std::size_t> chunk_rows_;       // where each chunk of the list begins in awake_
   std::vector<FlowRecord> flow_;
   std::vector<float> wall_pressure_;

@@ -7,12 +7,6 @@
 // The pair sweeps of the implicit method.
 
 namespace sabo {
-namespace {
-
-constexpr std::size_t row_block = 128;
-
-}  // namespace
-
 /// What the implicit sweeps keep while the same particles are awake.
 void CpuBackend::prepare_rows() {
   const std::size_t fluids = fluid_.size();
@@ -62,6 +56,13 @@ void CpuBackend::pack_motion(const Particles& particles, std::size_t i, std::siz
                  float(particles.mass[i] / particles.density[i])};
 }
 
+/// All that the near sweeps may meet.
+void CpuBackend::pack_near_motion() {
+  over(fluid_.size(), threads(), [&](std::size_t i) { pack_motion(fluid_, i, i); });
+  over_rows(touched_walls_, threads(),
+            [&](std::size_t at) { pack_motion(boundary_, at - fluid_.size(), at); });
+}
+
 void CpuBackend::wall_pressure() {
   const PassClock clock(pass_times_, "wall pressure", boundary_pairs_);
   const std::size_t fluids = fluid_.size();
@@ -70,7 +71,7 @@ void CpuBackend::wall_pressure() {
   const auto pack_wall = [&](std::size_t at) { pack_flow(boundary_, at - fluids, flow_[at]); };
   over_rows(touched_walls_, threads(), pack_wall);
   const Vec3f gravity{float(model_.gravity.x), float(model_.gravity.y), float(model_.gravity.z)};
-  parallel_blocks(touched_walls_.size(), row_block, threads(), [&](Range range) {
+  parallel_blocks(touched_walls_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.wall_pressure({&scale_, &list_, flow_.data(), touched_walls_.data(), range.first,
                            range.last, gravity, wall_pressure_.data()});
   });
@@ -85,12 +86,7 @@ void CpuBackend::wall_pressure() {
 
 void CpuBackend::near_forces() {
   const bool needs_motion = model_.artificial_viscosity > 0 || model_.walls_move;
-  if (needs_motion) {
-    over(fluid_.size(), threads(), [&](std::size_t i) { pack_motion(fluid_, i, i); });
-    over_rows(touched_walls_, threads(),
-              [&](std::size_t at) { pack_motion(boundary_, at - fluid_.size(), at); });
-  }
-  scale_.alpha_c0_h = float(model_.artificial_viscosity * model_.state.c0 * model_.h);
+  if (needs_motion) pack_near_motion();
   const PassClock clock(pass_times_, "force and matrix", fluid_pairs_);
   parallel_blocks(chunk_rows_.size() - 1, 1, threads(), [&](Range chunk) {
     NearPairs::Writer writer(near_, chunk.first, list_.chunk_length(chunk.first));
@@ -103,12 +99,12 @@ void CpuBackend::near_forces() {
 
 ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
   const PassClock clock(pass_times_, "viscous solve");
-  const std::size_t blocks = (awake_.size() + row_block - 1) / row_block;
+  const std::size_t blocks = (awake_.size() + sweep_block - 1) / sweep_block;
   dots_.assign(blocks, {});
   const auto multiply = [&](const std::vector<float>& mass, const std::vector<float>& drag) {
     auto& solver = velocity_step_.solver;
     pass_times_["viscous solve"].pairs += near_.size();
-    parallel_blocks(awake_.size(), row_block, threads(), [&](Range range) {
+    parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
       ViscousProductTask task{&near_,
                               awake_.data(),
                               range.first,
@@ -120,7 +116,7 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
                               solver.product.data(),
                               {0, 0, 0}};
       sweeps_.viscous_product(task);
-      dots_[range.first / row_block] = {task.dot[0], task.dot[1], task.dot[2]};
+      dots_[range.first / sweep_block] = {task.dot[0], task.dot[1], task.dot[2]};
     });
     VelocityStep<float>::Dot sum{};
     for (const auto& dot : dots_)
@@ -133,13 +129,10 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
 }
 
 void CpuBackend::near_motion() {
-  scale_.two_zeta_h_c0 = float(2 * model_.density_diffusion * model_.h * model_.state.c0);
   find_diffusion_background();
   const PassClock clock(pass_times_, "near motion", near_.size());
-  over(fluid_.size(), threads(), [&](std::size_t i) { pack_motion(fluid_, i, i); });
-  over_rows(touched_walls_, threads(),
-            [&](std::size_t at) { pack_motion(boundary_, at - fluid_.size(), at); });
-  parallel_blocks(awake_.size(), row_block, threads(), [&](Range range) {
+  pack_near_motion();
+  parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), wall_slope_.data(),
                          awake_.data(), range.first, range.last, strain_.data(),
                          density_rate_.data(), support_.data()});

@@ -10,6 +10,9 @@ struct Range {
   std::size_t first, last;
 };
 
+/// Particles that a thread takes at a time in a sweep over pairs.
+inline constexpr std::size_t sweep_block = 128;
+
 /// Runs f(range) over fixed blocks of [0, count) on all threads.
 template <class F>
 void parallel_blocks(std::size_t count, std::size_t block, int threads, const F& f) {
