@@ -104,11 +104,7 @@ std::optional<MadeCase> avaframe_case(const fs::path& given) {
                   quoted(releases.front(), folder));
   text += "[material]  # assumed\npreset = \"yohutagawa_2010\"\npore_pressure_ratio = 0.5\n\n";
   text += dam_text(folder) + path_text(folder);
-  text +=
-      "[numerics]\nspacing = 2\nreference_speed = 60\n"
-      "# The set that matches closed-form solutions best, see docs/method.md.\n"
-      "viscous_operator = \"morris\"\nboundary_stress = \"mirror\"\n"
-      "diffusion_form = \"fourtakas\"\n\n[run]\nduration = 120\n";
+  text += "[numerics]\nspacing = 2\n\n[run]\nduration = 120\n";
   return MadeCase{std::move(text), folder};
 }
 

@@ -158,6 +158,19 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   return lines;
 }
 
+namespace {
+
+/// The method with the choices that decide how the ground holds the flow.
+std::string method_text(const NumericsCase& numerics) {
+  const std::string_view method = word_of(numerics.method);
+  if (numerics.method == Method::fast)
+    return fmt::format("{}, wall {}", method, word_of(numerics.wall));
+  return fmt::format("{}, viscous operator {}, boundary stress {}", method,
+                     word_of(numerics.viscous_operator), word_of(numerics.boundary_stress));
+}
+
+}  // namespace
+
 IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                      const std::vector<SeriesRow>& rows, std::vector<PagePicture> pictures) {
   IndexPage page;
@@ -176,9 +189,7 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                    "{:g} Pa, pore pressure ratio {:g}",
                    name_of(c.material.law), c.material.density, c.material.yield.friction_angle,
                    c.material.yield.cohesion, c.material.yield.pore_pressure_ratio)},
-      {"Method",
-       fmt::format("{}, viscous operator {}, boundary stress {}", word_of(c.numerics.method),
-                   word_of(c.numerics.viscous_operator), word_of(c.numerics.boundary_stress))},
+      {"Method", method_text(c.numerics)},
       {"Fastest particle",
        fmt::format("{:.1f} m/s (Mach number at most {:.2f})", facts.top_speed, facts.top_mach)},
       {"Resolution", resolution_text(facts.resolution)},

@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "gis/made_raster.hpp"
 #include "support/fault_of.hpp"
 #include "support/folders.hpp"
 #include "support/temporary_folder.hpp"
@@ -35,6 +36,18 @@ TEST(AvaFrame, AProjectNeedsOneDem) {
   folder.write("Inputs/REL/a.shp", "");
   const Fault fault = fault_of([&] { avaframe_case(folder / ""); });
   EXPECT_THAT(fault.problem, HasSubstr("has REL/ as an AvaFrame project, and 0 rasters"));
+}
+
+// Its keys must go together, whatever the files hold.
+TEST(AvaFrame, TheCaseThatIsMadeHasNoFaultsOfItsOwn) {
+  const TemporaryFolder folder;
+  fs::create_directories(folder / "Inputs" / "REL");
+  folder.write("Inputs/REL/a.shp", "");
+  MadeRaster{}.write(folder / "Inputs" / "dem.tif");
+  Faults faults;
+  const Case c = load_case(folder / "", faults);
+  for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
+  EXPECT_EQ(c.release.polygon.file.filename(), "a.shp");
 }
 
 TEST(AvaFrame, KotRunsAsItIs) {
