@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "backend/cpu/simd/pair_constants.hpp"
+#include "backend/cpu/simd/picked.hpp"
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
@@ -82,11 +83,10 @@ HWY_INLINE void add_fluid_forces(const Constants& s, const NearForceTask& task, 
       sums.acceleration +=
           artificial_force(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
     }
-    const auto is_near = hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag()));
-    const std::size_t count = store_picked(indices, hn::LoadU(indices, k),
-                                           hn::RebindMask(indices, is_near), task.near->index());
-    store_picked(Lanes::Tag(), a.v, is_near, task.near->conductance());
-    task.near->advance(count);
+    const Picked near(hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag())));
+    near.store(indices, hn::LoadU(indices, k), task.near->index());
+    near.store(Lanes::Tag(), a.v, task.near->conductance());
+    task.near->advance(near.count());
   }
 }
 
@@ -113,9 +113,9 @@ HWY_INLINE void add_wall_forces(const Constants& s, const NearForceTask& task, s
       sums.acceleration +=
           artificial_force(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
     }
-    const auto is_near = hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag()));
-    task.near->advance(store_picked(indices, hn::LoadU(indices, k),
-                                    hn::RebindMask(indices, is_near), task.near->index()));
+    const Picked near(hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag())));
+    near.store(indices, hn::LoadU(indices, k), task.near->index());
+    task.near->advance(near.count());
   }
 }
 

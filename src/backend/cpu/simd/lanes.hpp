@@ -39,14 +39,5 @@ struct Lanes {
   friend float sum(const Lanes& a) { return hn::GetLane(hn::SumOfLanes(Tag(), a.v)); }
 };
 
-/// Stores the entries of `v` that `mask` picks side by side and returns their number; the rest of a
-/// whole vector is overwritten. Compressing in a register and storing that is many times faster on
-/// some processors than compressing into memory (AMD Zen 4).
-template <class D, class V, class M>
-HWY_INLINE std::size_t store_picked(D d, V v, M mask, hn::TFromD<D>* to) {
-  hn::StoreU(hn::Compress(v, mask), d, to);
-  return hn::CountTrue(d, mask);
-}
-
 }  // namespace HWY_NAMESPACE
 }  // namespace sabo

@@ -2,12 +2,16 @@
 
 #include "backend/cpu/simd/near_search.hpp"
 
+#include "backend/cpu/simd/picked.hpp"
+
 namespace sabo {
 namespace HWY_NAMESPACE {
 
 std::size_t near_search(const NearTask& task) {
   const Lanes::Tag floats;
   const hn::RebindToUnsigned<Lanes::Tag> indices;
+  const hn::RebindToSigned<Lanes::Tag> lanes;
+  const auto lane = hn::Iota(lanes, 0);  // hn::FirstN of Highway 1.0 copies a table, see picked.hpp
   const auto self = hn::Set(indices, task.self);
   const Lanes x(task.x), y(task.y), z(task.z), radius2(task.radius2);
   std::size_t count = 0;
@@ -19,10 +23,12 @@ std::size_t near_search(const NearTask& task) {
       const Lanes dz = z - Lanes(hn::LoadU(floats, task.points_z + j));
       const Lanes r2 = dx * dx + dy * dy + dz * dz;
       const auto index = hn::Iota(indices, task.offset + j);
-      const auto is_near =
-          hn::And(hn::RebindMask(indices, hn::Lt(r2.v, radius2.v)), hn::Not(hn::Eq(index, self)));
-      const auto is_in_run = hn::FirstN(indices, run.last - j);
-      count += store_picked(indices, index, hn::And(is_near, is_in_run), task.near + count);
+      const auto is_other = hn::RebindMask(floats, hn::Ne(index, self));
+      const auto is_near = hn::And(hn::Lt(r2.v, radius2.v), is_other);
+      const auto in_run = hn::Lt(lane, hn::Set(lanes, static_cast<std::int32_t>(run.last - j)));
+      const Picked near(hn::And(is_near, hn::RebindMask(floats, in_run)));
+      near.store(indices, index, task.near + count);
+      count += near.count();
     }
   }
   return count;
