@@ -28,7 +28,8 @@ class NearPairs {
     const float* conductance;  ///< kg/s, of the fluid neighbours
   };
 
-  /// Writes the rows of one chunk, in order; rows left out are empty.
+  /// Writes the rows of one chunk, in order; rows left out are empty. Between rows it counts in its
+  /// own members: the chunks lie side by side, and each belongs to another thread.
   class Writer {
    public:
     /// `most`: length of the chunk in the neighbour list. Whole vectors are stored, of which only
@@ -36,21 +37,26 @@ class NearPairs {
     Writer(NearPairs& pairs, std::size_t chunk, std::size_t most)
         : rows_(pairs.rows_), chunk_(pairs.chunks_[chunk]) {
       most += PairList::lanes;
-      chunk_.pairs = 0;
       if (chunk_.index.size() < most) {
         chunk_.index.resize(most);
         chunk_.conductance.resize(most);
       }
+      index_ = chunk_.index.data();
+      conductance_ = chunk_.conductance.data();
       const std::size_t first = chunk * PairList::chunk;
       const std::size_t last = std::min(rows_.size(), first + PairList::chunk);
       for (std::size_t i = first; i < last; ++i) rows_[i] = {};
     }
 
-    std::uint32_t* index() { return chunk_.index.data() + used_; }
-    float* conductance() { return chunk_.conductance.data() + used_; }
+    ~Writer() { chunk_.pairs = pairs_; }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+
+    std::uint32_t* index() { return index_ + used_; }
+    float* conductance() { return conductance_ + used_; }
     void advance(std::size_t count) {
       used_ += count;
-      chunk_.pairs += count;
+      pairs_ += count;
     }
 
     void begin_row(std::size_t i) {
@@ -69,15 +75,18 @@ class NearPairs {
    private:
     void pad(std::size_t start) {
       while ((used_ - start) % PairList::lanes != 0) {
-        chunk_.index[used_] = static_cast<std::uint32_t>(row_);
-        chunk_.conductance[used_] = 0;
+        index_[used_] = static_cast<std::uint32_t>(row_);
+        conductance_[used_] = 0;
         ++used_;
       }
     }
 
     std::vector<PairList::Offsets>& rows_;
     Chunk& chunk_;
+    std::uint32_t* index_ = nullptr;
+    float* conductance_ = nullptr;
     std::size_t used_ = 0;
+    std::size_t pairs_ = 0;
     std::size_t row_ = 0;
   };
 
