@@ -11,27 +11,30 @@ std::size_t near_search(const NearTask& task) {
   const Lanes::Tag floats;
   const hn::RebindToUnsigned<Lanes::Tag> indices;
   const hn::RebindToSigned<Lanes::Tag> lanes;
-  const auto lane = hn::Iota(lanes, 0);  // hn::FirstN of Highway 1.0 copies a table, see picked.hpp
+  // Made once: GCC 12 writes hn::Iota entry by entry, and hn::FirstN as picked.hpp says.
+  const auto lane = hn::Iota(lanes, 0);
   const auto self = hn::Set(indices, task.self);
   const Lanes x(task.x), y(task.y), z(task.z), radius2(task.radius2);
-  std::size_t count = 0;
+  const float *const points_x = task.points_x, *const points_y = task.points_y,
+                     *const points_z = task.points_z;
+  std::uint32_t* near_end = task.near;
   for (int r = 0; r < task.run_count; ++r) {
     const IndexRun run = task.runs[r];
     for (std::uint32_t j = run.first; j < run.last; j += Lanes::count) {
-      const Lanes dx = x - Lanes(hn::LoadU(floats, task.points_x + j));
-      const Lanes dy = y - Lanes(hn::LoadU(floats, task.points_y + j));
-      const Lanes dz = z - Lanes(hn::LoadU(floats, task.points_z + j));
+      const Lanes dx = x - Lanes(hn::LoadU(floats, points_x + j));
+      const Lanes dy = y - Lanes(hn::LoadU(floats, points_y + j));
+      const Lanes dz = z - Lanes(hn::LoadU(floats, points_z + j));
       const Lanes r2 = dx * dx + dy * dy + dz * dz;
-      const auto index = hn::Iota(indices, task.offset + j);
+      const auto index = hn::Add(hn::BitCast(indices, lane), hn::Set(indices, task.offset + j));
       const auto is_other = hn::RebindMask(floats, hn::Ne(index, self));
       const auto is_near = hn::And(hn::Lt(r2.v, radius2.v), is_other);
       const auto in_run = hn::Lt(lane, hn::Set(lanes, static_cast<std::int32_t>(run.last - j)));
       const Picked near(hn::And(is_near, hn::RebindMask(floats, in_run)));
-      near.store(indices, index, task.near + count);
-      count += near.count();
+      near.store(indices, index, near_end);
+      near_end += near.count();
     }
   }
-  return count;
+  return static_cast<std::size_t>(near_end - task.near);
 }
 
 }  // namespace HWY_NAMESPACE
