@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <string_view>
 #include <type_traits>
 
@@ -72,6 +73,14 @@ struct Words;
 template <class Enum>
 constexpr std::string_view word_of(Enum value) {
   return Words<Enum>::list[static_cast<std::size_t>(value)];
+}
+
+/// The value that a word stands for, or nothing.
+template <class Enum>
+constexpr std::optional<Enum> value_of_word(std::string_view word) {
+  for (std::size_t k = 0; k < Words<Enum>::list.size(); ++k)
+    if (Words<Enum>::list[k] == word) return static_cast<Enum>(k);
+  return std::nullopt;
 }
 
 }  // namespace sabo

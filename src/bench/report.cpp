@@ -1,27 +1,13 @@
 #include "bench/report.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 
+#include "io/output/json.hpp"
+
 namespace sabo {
 namespace {
-
-/// A text between quotes; control characters become spaces.
-std::string json_string(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
-  }
-  return result + '"';
-}
-
-/// JSON has neither NaN nor infinity.
-std::string json_number(double value) {
-  return std::isfinite(value) ? fmt::format("{:.6g}", value) : "null";
-}
 
 std::vector<std::size_t> column_widths(const BenchTable& table) {
   std::vector<std::size_t> widths;

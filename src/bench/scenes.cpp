@@ -7,7 +7,9 @@
 
 #include "backend/cpu/cpu_backend.hpp"
 #include "case/case.hpp"
+#include "case/default_numerics.hpp"
 #include "solver/flow_model.hpp"
+#include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
 
@@ -26,24 +28,9 @@ MaterialCase debris() {
   return material;
 }
 
-/// Visits keys as the reader of a case file that gives none of them.
-struct NothingGiven {
-  static constexpr bool sets_members = true;
-  template <class T>
-  void operator()(const Key& /*key*/, T& /*member*/) const {}
-};
-
-/// A method with the defaults that it brings along.
-NumericsCase numerics_of(Method method, int threads) {
-  NumericsCase numerics;
-  numerics.method = method;
-  numerics.describe(NothingGiven{});
-  numerics.threads = threads;
-  return numerics;
-}
-
 NumericsCase debris_numerics(Method method, int threads) {
-  NumericsCase numerics = numerics_of(method, threads);
+  NumericsCase numerics = default_numerics(method);
+  numerics.threads = threads;
   numerics.spacing = 1;
   numerics.reference_speed = 15;
   return numerics;
@@ -51,24 +38,6 @@ NumericsCase debris_numerics(Method method, int threads) {
 
 FlowModel debris_model(Method method, int threads) {
   return flow_model(debris(), debris_numerics(method, threads), depth);
-}
-
-void add_particle(Particles& particles, const FlowModel& model, const Vec3d& position) {
-  const std::size_t i = particles.size();
-  particles.resize(i + 1);
-  particles.position[i] = position;
-  particles.density[i] = model.state.rho0;
-  particles.mass[i] = model.state.rho0 * std::pow(model.spacing, 3);
-  particles.id[i] = static_cast<std::uint32_t>(i);
-}
-
-/// One particle in the middle of each cell of a block of the lattice.
-void add_cells(Particles& particles, const FlowModel& model, int nx, int ny, int z0, int z1) {
-  const double dp = model.spacing;
-  for (int k = z0; k < z1; ++k)
-    for (int j = 0; j < ny; ++j)
-      for (int i = 0; i < nx; ++i)
-        add_particle(particles, model, {(i + 0.5) * dp, (j + 0.5) * dp, (k + 0.5) * dp});
 }
 
 /// Density of the fluid at rest at a depth of `below_surface` (m).
@@ -124,7 +93,7 @@ BenchFlow cube_flow(const PairSweeps& sweeps, Method method, int side, int threa
   const FlowModel model = debris_model(method, threads);
   BenchFlow flow;
   flow.backend = std::make_unique<CpuBackend>(model, sweeps);
-  add_cells(flow.backend->fluid(), model, side, side, 0, side);
+  add_block(flow.backend->fluid(), model, {0, side, 0, side, 0, side});
   finish(flow, debris_numerics(method, threads));
   return flow;
 }
@@ -133,25 +102,19 @@ BenchFlow cube_on_floor(const PairSweeps& sweeps, Method method, int side, int t
   const FlowModel model = debris_model(method, threads);
   BenchFlow flow;
   flow.backend = std::make_unique<CpuBackend>(model, sweeps);
-  add_cells(flow.backend->fluid(), model, side, side, 0, side);
-  add_cells(flow.backend->boundary(), model, side, side, -model.wall_layers(), 0);
+  add_block(flow.backend->fluid(), model, {0, side, 0, side, 0, side});
+  add_block(flow.backend->boundary(), model, {0, side, 0, side, -model.wall_layers(), 0});
   finish(flow, debris_numerics(method, threads));
   return flow;
 }
 
 BenchFlow layer_flow(Method method, int side, int threads) {
-  FlowModel model = debris_model(method, threads);
-  model.periodic.period[0] = {side * model.spacing, 0, 0};
-  model.periodic.period[1] = {0, side * model.spacing, 0};
+  const FlowModel model = debris_model(method, threads);
   BenchFlow flow;
-  flow.backend = make_backend(BackendKind::cpu, model);
-  Particles& fluid = flow.backend->fluid();
-  add_cells(fluid, model, side, side, 0, depth);
-  add_cells(flow.backend->boundary(), model, side, side, -model.wall_layers(), 0);
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    fluid.velocity[i] = {start_speed * model.state.c0, 0, 0};
-    fluid.density[i] = density_at(model, depth * model.spacing - fluid.position[i].z);
-  }
+  flow.backend = Layer{model, depth, side}.make();
+  make_hydrostatic(*flow.backend, depth * model.spacing);
+  for (Vec3d& velocity : flow.backend->fluid().velocity)
+    velocity = {start_speed * model.state.c0, 0, 0};
   finish(flow, debris_numerics(method, threads));
   return flow;
 }
@@ -172,7 +135,7 @@ BenchFlow slope_flow(Method method, int side, int map_side, int threads) {
   flow.domain = std::make_unique<Domain>(*flow.ground);
   flow.backend = make_backend(BackendKind::cpu, model);
   Particles& fluid = flow.backend->fluid();
-  add_cells(fluid, model, side, side, 0, depth);
+  add_block(fluid, model, {0, side, 0, side, 0, depth});
   const double speed = start_speed * model.state.c0;
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     Vec3d& x = fluid.position[i];
@@ -190,7 +153,8 @@ BenchFlow dam_break(Method method, double spacing, double h_over_dp, int threads
   MaterialCase material;
   material.density = 1000;
   material.law = Newtonian{0.001};
-  NumericsCase numerics = numerics_of(method, threads);
+  NumericsCase numerics = default_numerics(method);
+  numerics.threads = threads;
   numerics.spacing = spacing;
   numerics.h_over_dp = h_over_dp;
   numerics.sound_speed_factor = 20;

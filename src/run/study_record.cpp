@@ -16,14 +16,6 @@ namespace {
 
 constexpr std::size_t max_manifest = 1'000'000;  // bytes
 
-std::optional<double> number_of(const TomlNode* node) {
-  if (!node) return std::nullopt;
-  if (const auto* number = std::get_if<double>(&node->value)) return *number;
-  if (const auto* whole = std::get_if<std::int64_t>(&node->value))
-    return static_cast<double>(*whole);
-  return std::nullopt;
-}
-
 /// One table of a manifest; without it everything in it is missing.
 class ManifestTable {
  public:
@@ -31,14 +23,14 @@ class ManifestTable {
     if (const TomlNode* node = find(manifest, name)) table_ = std::get_if<TomlTable>(&node->value);
   }
 
-  double number(std::string_view key) const { return number_of(node(key)).value_or(0); }
+  double number(std::string_view key) const {
+    return table_ ? number_at(*table_, key).value_or(0) : 0;
+  }
   bool says(std::string_view key, const std::string& text) const {
-    const TomlNode* found = node(key);
-    const auto* value = found ? std::get_if<std::string>(&found->value) : nullptr;
-    return value && *value == text;
+    return table_ && text_at(*table_, key) == text;
   }
   bool is_true(std::string_view key) const {
-    const TomlNode* found = node(key);
+    const TomlNode* found = table_ ? find(*table_, key) : nullptr;
     const bool* value = found ? std::get_if<bool>(&found->value) : nullptr;
     return value && *value;
   }
@@ -46,13 +38,11 @@ class ManifestTable {
     std::vector<std::pair<std::string, double>> list;
     if (!table_) return list;
     for (const TomlEntry& entry : *table_)
-      if (const auto number = number_of(&entry.node)) list.emplace_back(entry.key, *number);
+      if (const auto number = number_at(*table_, entry.key)) list.emplace_back(entry.key, *number);
     return list;
   }
 
  private:
-  const TomlNode* node(std::string_view key) const { return table_ ? find(*table_, key) : nullptr; }
-
   const TomlTable* table_ = nullptr;
 };
 

@@ -6,13 +6,13 @@ namespace sabo {
 
 /// Coefficients of the fast method, see NumericsCase.
 struct FastRule {
-  double h = 0;                     ///< smoothing length, m
-  double cfl = 0.6;                 ///< C_a
-  double sound_speed_factor = 10;   ///< beta
-  double slowest_sound = 1;         ///< that of the deepest flow expected, m/s
-  double viscous_tolerance = 1e-3;  ///< share of dt g
-  int most_iterations = 50;         ///< of the viscous solve before the step is halved
-  bool sound_follows_flow = true;   ///< else it stays at that of the model
+  double h;                   ///< smoothing length, m
+  double cfl;                 ///< C_a
+  double sound_speed_factor;  ///< beta
+  double slowest_sound;       ///< that of the deepest flow expected, m/s
+  double viscous_tolerance;   ///< share of dt g
+  int most_iterations;        ///< of the viscous solve before the step is halved
+  bool sound_follows_flow;    ///< else it stays at that of the model
 };
 
 /// The fast method: viscosity and walls implicit, pressure explicit and symplectic (velocity first,

@@ -51,20 +51,18 @@ FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
 }
 
 FastRule fast_rule(const NumericsCase& numerics, const FlowModel& model) {
-  FastRule rule;
-  rule.h = model.h;
-  rule.cfl = numerics.cfl;
-  rule.sound_speed_factor = numerics.sound_speed_factor;
-  rule.slowest_sound = model.state.c0;
-  rule.viscous_tolerance = numerics.viscous_tolerance;
-  rule.most_iterations = numerics.viscous_iterations;
-  rule.sound_follows_flow = numerics.adaptive_sound_speed;
-  return rule;
+  return {.h = model.h,
+          .cfl = numerics.cfl,
+          .sound_speed_factor = numerics.sound_speed_factor,
+          .slowest_sound = model.state.c0,
+          .viscous_tolerance = numerics.viscous_tolerance,
+          .most_iterations = numerics.viscous_iterations,
+          .sound_follows_flow = numerics.adaptive_sound_speed};
 }
 
 TimeStepRule time_step_rule(const NumericsCase& numerics, const FlowModel& model) {
-  const double viscous_cfl = numerics.viscous_cfl.value_or(
-      default_viscous_cfl(numerics.viscous_operator, numerics.as_printed));
+  const double viscous_cfl =
+      numerics.viscous_cfl.value_or(default_viscous_cfl(model.viscous_operator, model.as_printed));
   return {model.h, model.state.c0, numerics.cfl, viscous_cfl};
 }
 

@@ -51,7 +51,7 @@ Flow run(Method method, Layer& layer, double time, const PlugFlow& start = {0, 1
   for (std::size_t i = 0; i < backend->fluid().size(); ++i)
     backend->fluid().velocity[i].x = start(backend->fluid().position[i].z);
   const double depth = layer.cells * layer.model.spacing;
-  make_hydrostatic(*backend, -layer.model.gravity.z, depth);
+  make_hydrostatic(*backend, depth);
   const auto stepper = test::stepper_of(method, *backend);
   while (stepper->time() < time) stepper->step(time - stepper->time());
   Flow flow;

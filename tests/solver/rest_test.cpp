@@ -47,7 +47,7 @@ TEST_P(Rest, AColumnKeepsItsHydrostaticPressure) {
     Layer layer = still_water(dimension, 20);
     if (GetParam() == Method::fast) layer.model.diffusion_form = DiffusionForm::fourtakas;
     auto backend = layer.make();
-    make_hydrostatic(*backend, g, 1.0);
+    make_hydrostatic(*backend, 1.0);
     const auto stepper = test::stepper_of(GetParam(), *backend);
     while (stepper->time() < (dimension == 2 ? 3 : 0.5)) stepper->step();
     double top = 0, fastest = 0;
@@ -104,7 +104,7 @@ TEST(FastRest, APondStaysOnABumpyDem) {
   for (const Vec3d& x : block.position)
     if (x.z > surface.height(x.x, x.y) + 0.3 * model.spacing)
       test::add_particle(backend->fluid(), model, x);
-  make_hydrostatic(*backend, g, 1.2);
+  make_hydrostatic(*backend, 1.2);
   const std::size_t count = backend->fluid().size();
   EXPECT_GT(count, 3000u);
   const auto stepper = test::stepper_of(Method::fast, *backend, &domain);
@@ -135,7 +135,7 @@ TEST(Energy, IsAccountedForWhileABlockSlumps) {
   auto backend = make_backend(BackendKind::cpu, model);
   test::add_block(backend->fluid(), model, {-10, 10, 0, 1, 0, 20});
   test::add_block(backend->boundary(), model, {-40, 40, 0, 1, -3, 0});
-  make_hydrostatic(*backend, g, 1.0);
+  make_hydrostatic(*backend, 1.0);
   PaperStepper stepper(*backend, rule_of(model), nullptr);
   const auto energy = [&] { return energy_of(backend->fluid(), model.gravity, model.state); };
   const auto elastic_in_wall = [&] {

@@ -38,7 +38,7 @@ class Sleep : public testing::TestWithParam<BackendKind> {
  protected:
   std::unique_ptr<Backend> settled(Layer& layer) {
     auto backend = layer.make(GetParam());
-    test::make_hydrostatic(*backend, -layer.model.gravity.z, layer.cells * layer.model.spacing);
+    test::make_hydrostatic(*backend, layer.cells * layer.model.spacing);
     return backend;
   }
 };

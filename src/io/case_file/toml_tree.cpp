@@ -124,6 +124,21 @@ const TomlNode* find(const TomlTable& table, std::string_view key) {
   return found == table.end() ? nullptr : &found->node;
 }
 
+std::optional<double> number_at(const TomlTable& table, std::string_view key) {
+  const TomlNode* node = find(table, key);
+  if (!node) return std::nullopt;
+  if (const auto* number = std::get_if<double>(&node->value)) return *number;
+  if (const auto* whole = std::get_if<std::int64_t>(&node->value))
+    return static_cast<double>(*whole);
+  return std::nullopt;
+}
+
+std::optional<std::string> text_at(const TomlTable& table, std::string_view key) {
+  const TomlNode* node = find(table, key);
+  const auto* text = node ? std::get_if<std::string>(&node->value) : nullptr;
+  return text ? std::optional(*text) : std::nullopt;
+}
+
 std::optional<TomlTable> parse_toml(std::string_view text, const std::string& file_name,
                                     Faults& faults) {
   if (const auto unfit = find_unfit_text(text)) {

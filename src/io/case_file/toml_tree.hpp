@@ -31,6 +31,10 @@ struct TomlEntry {
 /// The node of a key, or nullptr.
 const TomlNode* find(const TomlTable& table, std::string_view key);
 
+/// The value of a key if it is there and of that type. A number may be a whole one.
+std::optional<double> number_at(const TomlTable& table, std::string_view key);
+std::optional<std::string> text_at(const TomlTable& table, std::string_view key);
+
 /// Parses a TOML text. Adds a fault (with the place "file_name:line") and returns nothing when the
 /// text is longer than 1 MB, is not valid UTF-8, has control characters or is not TOML.
 std::optional<TomlTable> parse_toml(std::string_view text, const std::string& file_name,
