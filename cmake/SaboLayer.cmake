@@ -1,9 +1,13 @@
-# sabo_layer(NAME LINKS target...): the library of one source folder. A folder without
-# translation units becomes a header-only target.
+# sabo_layer(NAME [FOLDERS folder...] LINKS target...): the library of one source folder and of
+# folders in it. A folder without translation units becomes a header-only target.
 function(sabo_layer name)
-  cmake_parse_arguments(ARG "" "" "LINKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "LINKS;FOLDERS" ${ARGN})
   string(REPLACE "/" "_" target sabo_${name})
   file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/*.cpp)
+  foreach(folder ${ARG_FOLDERS})
+    file(GLOB more CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${name}/${folder}/*.cpp)
+    list(APPEND sources ${more})
+  endforeach()
   if(sources)
     add_library(${target} STATIC ${sources})
     target_include_directories(${target} PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})

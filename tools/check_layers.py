@@ -29,6 +29,7 @@ LAYERS = {
     "io/output": 6,
     "run": 7,
     "bench": 7,
+    "verify": 7,
     "app": 8,
 }
 
@@ -40,6 +41,7 @@ SIBLINGS = {
     "backend/cuda": {"backend"},
     "io/output": {"io/gis", "analysis"},
     "bench": {"run"},
+    "verify": {"run"},
 }
 
 QUIET_LAYERS = 5  # layers up to this one never print or exit

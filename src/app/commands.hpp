@@ -24,5 +24,6 @@ void add_plot_command(CLI::App& program, Action& action);
 void add_info_command(CLI::App& program, Action& action);
 void add_models_command(CLI::App& program, Action& action);
 void add_bench_command(CLI::App& program, Action& action);
+void add_verify_command(CLI::App& program, Action& action);
 
 }  // namespace sabo

@@ -41,6 +41,7 @@ void describe_program(CLI::App& program, Action& action) {
   add_info_command(program, action);
   add_models_command(program, action);
   add_bench_command(program, action);
+  add_verify_command(program, action);
 }
 
 /// Throws what the command throws.

@@ -1,0 +1,115 @@
+// A slab 3.75 m thick of a Cross fluid with friction starts from rest on an infinite slope: with
+// 33 degrees it runs, with 16 degrees, below its friction angle of 28, it only creeps.
+
+#include <cmath>
+#include <numbers>
+
+#include "verify/cases.hpp"
+#include "verify/slab_solution.hpp"
+#include <fmt/format.h>
+
+#include "case/default_numerics.hpp"
+#include "solver/flow_model.hpp"
+#include "solver/lattice.hpp"
+#include "solver/make_stepper.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+constexpr double depth = 3.75, friction_angle = 28, g = 9.81;
+
+struct Slab {
+  double slope;   ///< rad
+  double ratio;   ///< mu_0 over mu_B
+  int layers;     ///< particles in the depth
+  int dimension;  ///< 2 or 3
+};
+
+/// Mean speed over time, from rest.
+ChartSeries simulated(const Slab& slab, const VerifySettings& settings, double end) {
+  NumericsCase numerics = default_numerics(settings.method);
+  numerics.spacing = depth / slab.layers;
+  numerics.threads = settings.threads;
+  MaterialCase material;
+  material.density = 1726;
+  material.law = Cross{1255, slab.ratio, 1};
+  material.yield = {0, friction_angle, 0};
+  Layer layer;
+  layer.model = flow_model(material, numerics, depth);
+  layer.model.dimension = slab.dimension;
+  layer.model.gravity = {g * std::sin(slab.slope), 0, -g * std::cos(slab.slope)};
+  layer.cells = slab.layers;
+  layer.period = slab.dimension == 2 ? 12 : 8;
+  const auto backend = layer.make();
+  make_hydrostatic(*backend, depth);
+  const auto stepper = make_stepper(numerics, *backend, nullptr);
+
+  ChartSeries series{fmt::format("{} layers", slab.layers), {0}, {0}};
+  constexpr int points = 24;
+  for (int k = 1; k <= points; ++k) {
+    const double time = end * k / points;
+    while (stepper->time() < time) stepper->step(time - stepper->time());
+    double sum = 0;
+    for (const Vec3d& v : backend->fluid().velocity) sum += v.x;
+    series.x.push_back(time);
+    series.y.push_back(sum / static_cast<double>(backend->fluid().size()));
+  }
+  return series;
+}
+
+ChartSeries exact(double slope, double ratio, double end) {
+  SlabSolution solution{slope, friction_angle * radians};
+  solution.ratio = ratio;
+  ChartSeries series{"one dimension", {0}, {0}};
+  constexpr int points = 12;
+  for (int k = 1; k <= points; ++k) {
+    series.x.push_back(end * k / points);
+    series.y.push_back(solution.mean_speed(series.x.back()));
+  }
+  series.has_markers = true;
+  series.has_line = false;
+  return series;
+}
+
+/// With r = tan(slope) / tan(friction angle) below 1 the shear rate is x tau_B / mu_0, x = r / (1 -
+/// r) (to mu_B / mu_0), so the mean speed is x rho g cos(slope) tan(friction angle) H^2 / (3 mu_0).
+double creep(double slope, double ratio) {
+  const double friction = std::tan(friction_angle * radians);
+  const double r = std::tan(slope) / friction;
+  return r / (1 - r) * 1726 * g * std::cos(slope) * friction * depth * depth / (3 * 1255 * ratio);
+}
+
+}  // namespace
+
+Verdict verify_slab(const VerifySettings& settings) {
+  constexpr double end = 3;  // s
+  const double steep = 33 * radians, gentle = 16 * radians;
+  Verdict verdict;
+  double done = 0;
+  const auto report = [&](double share) { settings.on_progress(done += share); };
+  const std::vector<double> ratios =
+      settings.is_quick() ? std::vector{1e3} : std::vector{1e3, 1e4, 1e5};
+  for (const double ratio : ratios) {
+    LineChart chart{fmt::format("Slab on 33 degrees, μ0/μB = {:g}", ratio), "time [s]",
+                    "mean speed [m/s]"};
+    const ChartSeries reference = exact(steep, ratio, end);
+    for (const int layers : {5, 10}) {
+      chart.series.push_back(simulated({steep, ratio, layers, 2}, settings, end));
+      verdict.claims.push_back(Claim::within_share(
+          fmt::format("33°, μ0/μB {:g}, {} layers: speed at 3 s", ratio, layers), "m/s",
+          chart.series.back().y.back(), reference.y.back(), 0.05));
+      report(0.45 / static_cast<double>(ratios.size()));
+    }
+    chart.series.push_back(reference);
+    verdict.charts.push_back(std::move(chart));
+  }
+  const double creeping = creep(gentle, 1e3);
+  const ChartSeries below = simulated({gentle, 1e3, 10, 2}, settings, 2);
+  verdict.claims.push_back(Claim::at_most("16°, μ0/μB 1000: speed at 2 s over that of creep", "",
+                                          below.y.back() / creeping, 1.5));
+  report(0.1);
+  return verdict;
+}
+
+}  // namespace sabo

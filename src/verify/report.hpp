@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "verify/record.hpp"
+
+namespace sabo {
+
+/// "within 5 % of 2.354 m/s", "at most 1.5".
+std::string gate_text(const Claim& claim);
+
+/// What a case found, for the terminal: a line for the case, one for each claim, its remarks.
+std::string text_of(const VerifyRecord& record);
+
+/// All cases as JSON: the program, and for each case its claims with value, gate and outcome.
+std::string json_of(const std::vector<VerifyRecord>& records);
+
+/// Writes index.html to the folder that holds the records and their pictures; returns its path.
+std::filesystem::path write_verify_page(const std::vector<VerifyRecord>& records,
+                                        const std::filesystem::path& folder);
+
+}  // namespace sabo
