@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <string>
+#include <string_view>
 
 #include "base/describe.hpp"
 

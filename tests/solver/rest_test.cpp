@@ -61,6 +61,27 @@ TEST_P(Rest, AColumnKeepsItsHydrostaticPressure) {
   }
 }
 
+// The floor under it: its own density equation against the pressure of the fluid near it
+// (Adami et al. 2012), which knows the weight between fluid and wall.
+TEST_P(Rest, TheFloorCarriesTheColumn) {
+  Layer layer = still_water(3, 20);
+  layer.model.diffusion_form = DiffusionForm::fourtakas;
+  layer.model.boundary_pressure = BoundaryPressure::extrapolated;
+  auto backend = layer.make();
+  make_hydrostatic(*backend, 1.0);
+  const auto stepper = test::stepper_of(GetParam(), *backend);
+  while (stepper->time() < 0.5) stepper->step();
+  double sum = 0;
+  int count = 0;
+  const Particles& floor = backend->boundary();
+  for (std::size_t i = 0; i < floor.size(); ++i)
+    if (floor.position[i].z > -layer.model.spacing) {
+      sum += floor.pressure[i];
+      ++count;
+    }
+  EXPECT_NEAR(sum / count, 1000 * g * 1.025, 0.03 * 1000 * g);
+}
+
 // Water 0.5 m deep in a box of 1 x 0.5 m with walls on all sides, off hydrostatic at the start.
 TEST_P(Rest, AClosedBoxKeepsItsWater) {
   FlowModel model = still_water(3, 20).model;
