@@ -2,7 +2,21 @@
 
 #include "verify/cases.hpp"
 
+#include "case/default_numerics.hpp"
+
 namespace sabo {
+
+NumericsCase VerifySettings::numerics() const {
+  NumericsCase numerics = default_numerics(method);
+  numerics.threads = threads;
+  if (method == Method::paper) {
+    numerics.viscous_operator = ViscousOperator::morris;
+    numerics.boundary_stress = BoundaryStress::mirror;
+    numerics.boundary_pressure = BoundaryPressure::extrapolated;
+    numerics.diffusion_form = DiffusionForm::fourtakas;
+  }
+  return numerics;
+}
 
 const std::vector<Verification>& verifications() {
   static const std::vector<Method> both{Method::fast, Method::paper};

@@ -29,6 +29,10 @@ struct VerifySettings {
   std::function<void(double share)> on_progress = [](double) {};
 
   bool is_quick() const { return effort == Effort::quick; }
+
+  /// The setting of the method in which it is verified. That of `paper` is the accurate one, not
+  /// its default, which is the paper read literally.
+  NumericsCase numerics() const;
 };
 
 /// What a case found out.

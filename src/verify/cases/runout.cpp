@@ -13,7 +13,6 @@
 #include "verify/cases.hpp"
 #include <fmt/format.h>
 
-#include "case/default_numerics.hpp"
 #include "solver/flow_model.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
@@ -45,17 +44,12 @@ Surface slopes() {
   return Surface(std::move(map));
 }
 
-NumericsCase numerics_of(Method method, int threads) {
-  NumericsCase numerics = default_numerics(method);
+NumericsCase numerics_of(Method method, VerifySettings settings) {
+  settings.method = method;
+  NumericsCase numerics = settings.numerics();
   numerics.spacing = spacing;
-  numerics.threads = threads;
   // The flow reaches 7.5 m/s: the explicit method gets the sound speed that the fast one finds.
   if (method == Method::paper) numerics.reference_speed = 7.5;
-  numerics.diffusion_form = DiffusionForm::fourtakas;
-  numerics.viscous_operator = ViscousOperator::morris;
-  numerics.boundary_pressure = BoundaryPressure::extrapolated;
-  // Adami et al. 2012, Eq. 23: at a wall that sticks the wall moves against the flow.
-  numerics.boundary_stress = BoundaryStress::mirror;
   return numerics;
 }
 
@@ -153,8 +147,8 @@ Verdict verify_runout(const VerifySettings& settings) {
       const auto on_progress = [&](double share) {
         if (method == Method::paper) settings.on_progress((done + share) / members);
       };
-      Runout one = run(numerics_of(method, settings.threads), surface,
-                       static_cast<std::uint64_t>(member), end, on_progress);
+      Runout one = run(numerics_of(method, settings), surface, static_cast<std::uint64_t>(member),
+                       end, on_progress);
       Runout& sum = mean[method == Method::paper];
       sum.travel += one.travel / members;
       sum.front += one.front / members;

@@ -8,7 +8,6 @@
 #include "verify/slab_solution.hpp"
 #include <fmt/format.h>
 
-#include "case/default_numerics.hpp"
 #include "solver/flow_model.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_stepper.hpp"
@@ -28,9 +27,8 @@ struct Slab {
 
 /// Mean speed over time, from rest.
 ChartSeries simulated(const Slab& slab, const VerifySettings& settings, double end) {
-  NumericsCase numerics = default_numerics(settings.method);
+  NumericsCase numerics = settings.numerics();
   numerics.spacing = depth / slab.layers;
-  numerics.threads = settings.threads;
   MaterialCase material;
   material.density = 1726;
   material.law = Cross{1255, slab.ratio, 1};
