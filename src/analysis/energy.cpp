@@ -3,14 +3,6 @@
 #include <algorithm>
 
 namespace sabo {
-namespace {
-
-Energy operator+(const Energy& a, const Energy& b) {
-  return {a.mass + b.mass, a.kinetic + b.kinetic, a.potential + b.potential, a.elastic + b.elastic};
-}
-
-}  // namespace
-
 double elastic_energy(const Tait& tait, double density) {
   const double x = density / tait.rho0;
   const double strain = (density - tait.rho0) / tait.rho0;
@@ -34,6 +26,17 @@ Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& t
     total = total + sum;
   }
   return total;
+}
+
+EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energy& left,
+                             double dissipated) {
+  EnergyBalance balance;
+  balance.released = start.potential - now.potential - left.potential;
+  balance.kinetic = now.kinetic;
+  balance.dissipated = dissipated;
+  balance.carried_off = left.kinetic + left.elastic;
+  balance.unaccounted = now.total() + left.total() + dissipated - start.total();
+  return balance;
 }
 
 }  // namespace sabo

@@ -12,6 +12,11 @@ struct Energy {
   double potential = 0;  ///< - m g.x: zero at the origin of the frame
   double elastic = 0;    ///< stored by compression; zero at the reference density
   double total() const { return kinetic + potential + elastic; }
+
+  friend Energy operator+(const Energy& a, const Energy& b) {
+    return {a.mass + b.mass, a.kinetic + b.kinetic, a.potential + b.potential,
+            a.elastic + b.elastic};
+  }
 };
 
 /// Elastic energy of a Tait fluid, J/kg: the integral of p / rho^2 from rho0 to rho > 0, which is
@@ -24,5 +29,20 @@ double elastic_energy(const Tait& tait, double density);
 
 /// Sums over the rows in fixed blocks. `gravity` in m/s2.
 Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait);
+
+/// Where the potential energy that a flow has given up went, J.
+struct EnergyBalance {
+  double released = 0;     ///< potential energy at the start less that now, and of what left
+  double kinetic = 0;      ///< now
+  double dissipated = 0;   ///< by viscosity and the ground
+  double carried_off = 0;  ///< motion and compression of what left
+  double unaccounted = 0;  ///< found now in all, less what there was; negative when some is missing
+
+  /// Over what was released; 0 when nothing moved.
+  double imbalance() const { return released > 0 ? unaccounted / released : 0; }
+};
+
+EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energy& left,
+                             double dissipated);
 
 }  // namespace sabo

@@ -39,6 +39,19 @@ std::string zone_text(const ZoneCase& c, const ZoneDepth& zone) {
       toml_string(c.name), zone.mean_wet, zone.mean_all, zone.greatest, zone.wet_area, zone.volume);
 }
 
+/// Of the whole run; `rows` are not empty.
+EnergyBalance balance_of(const std::vector<SeriesRow>& rows) {
+  const SeriesRow& last = rows.back();
+  return energy_balance(rows.front().energy, last.energy, last.left, last.dissipated);
+}
+
+std::string energy_text(const EnergyBalance& energy) {
+  return fmt::format(
+      "\n[energy]\nreleased_J = {:.9g}\nkinetic_J = {:.9g}\ndissipated_J = {:.9g}\n"
+      "carried_off_J = {:.9g}\nimbalance = {:.6f}\n",
+      energy.released, energy.kinetic, energy.dissipated, energy.carried_off, energy.imbalance());
+}
+
 std::string quantities_text(const std::vector<KeyQuantity>& quantities) {
   std::string text = "\n[quantities]\n";
   for (const KeyQuantity& quantity : quantities)
@@ -121,6 +134,7 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       "creep = {:.4g}\n",
       facts.motion.is_at_rest, facts.motion.moving_volume, facts.motion.energy_share,
       facts.motion.creep);
+  if (!rows.empty()) text += energy_text(balance_of(rows));
   text += quantities_text(facts.quantities);
   text += solver_toml(facts.solver) + passes_toml(facts.passes);
   write_file_atomically(folder.root() / "case.toml", write_case(c));
@@ -142,6 +156,12 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   lines.push_back(fmt::format(
       "Map volume {:.1f} m3, particle volume {:.1f} m3, difference {:.4f} %", facts.raster_volume,
       facts.particle_volume, percent(facts.raster_volume, facts.particle_volume)));
+  if (!rows.empty()) {
+    const EnergyBalance energy = balance_of(rows);
+    lines.push_back(
+        fmt::format("Potential energy given up {:.4g} J, {:.2f} % of it unaccounted for",
+                    energy.released, 100 * std::abs(energy.imbalance())));
+  }
   lines.push_back(solver_text(facts.solver));
   lines.push_back("Resolution: " + resolution_text(facts.resolution));
   if (const std::string warning = resolution_warning(facts.resolution); !warning.empty())

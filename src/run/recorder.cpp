@@ -66,7 +66,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       zones_csv_(folder.series() / "zones.csv", zones_header(scene)),
       energy_csv_(folder.series() / "energy.csv",
                   {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
-                   "dissipated [J]"}),
+                   "dissipated [J]", "left the map [J]"}),
       rest_csv_(folder.series() / "rest.csv",
                 {"time [s]", "moving volume [m3]", "kinetic energy over its peak",
                  "creep [spacings/min]"}),
@@ -96,10 +96,11 @@ void Recorder::after_step(double time, const StepReport& report, const Particles
   travelled_ = 0;
 }
 
-void Recorder::after_renewal(Domain& domain) {
+void Recorder::after_renewal(Domain& domain, const Tait& state) {
   const Particles departed = domain.take_departed();
   const std::size_t put_back = domain.put_back_count() - put_back_seen_;
   put_back_seen_ += put_back;
+  left_ = left_ + energy_of(departed, model_.gravity, state);
   for (VolumeLedger& ledger : ledgers_) {
     if (departed.size() > 0) ledger.leave(departed);
     ledger.put_back(put_back);
@@ -115,6 +116,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   // Dynamic boundary particles are compressed by the flow and give the energy back.
   row.energy.elastic +=
       energy_of(backend.boundary(), model_.gravity, backend.model().state).elastic;
+  row.left = left_;
   row.dissipated = stepper.dissipated();
   rest_.update(row.time, backend.fluid());
   row.motion = rest_.state();
@@ -139,7 +141,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   write_zones(backend.fluid(), row);
   volumes_csv_.append(volumes);
   energy_csv_.append({row.time, row.energy.mass, row.energy.kinetic, row.energy.potential,
-                      row.energy.elastic, row.dissipated});
+                      row.energy.elastic, row.dissipated, row.left.total()});
   rest_csv_.append({row.time, row.motion.moving_volume, row.motion.energy_share, row.motion.creep});
   write_solver_row(stepper, report, backend);
   rows_.push_back(std::move(row));

@@ -27,6 +27,7 @@ struct SeriesRow {
   std::vector<VolumeRow> volumes;  ///< one entry per dam, or one alone without a dam
   std::vector<ZoneDepth> zones;    ///< one entry per zone
   Energy energy;
+  Energy left;            ///< of what has left the map, at the time it did
   double dissipated = 0;  ///< J
   MotionState motion;
 };
@@ -41,7 +42,7 @@ class Recorder {
   void after_step(double time, const StepReport& report, const Particles& fluid);
 
   /// Particles that left the domain and those put back on the ground since the last call.
-  void after_renewal(Domain& domain);
+  void after_renewal(Domain& domain, const Tait& state);
 
   /// Appends a row to every series.
   void write_row(const Stepper& stepper, const StepReport& report, Backend& backend);
@@ -70,6 +71,7 @@ class Recorder {
   double travelled_ = 0;      // by the fastest particle since the maps were sampled, m
   std::size_t put_back_seen_ = 0;
   bool has_dams_;
+  Energy left_;
   std::vector<SeriesRow> rows_;
   CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_,
       solver_csv_;

@@ -57,7 +57,7 @@ class Simulation {
     double row_due = 0;
     double frame_due = 0;
     StepReport report;
-    recorder_.after_renewal(flow_.domain());
+    recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
     while (true) {
       const double time = flow_.stepper().time();
       const bool is_empty = flow_.backend().fluid().size() == 0;
@@ -84,7 +84,7 @@ class Simulation {
       facts_.top_mach = std::max(facts_.top_mach, report.flow.speed / report.sound_speed);
       facts_.solver.iterations += static_cast<std::uint64_t>(report.iterations);
       recorder_.after_step(flow_.stepper().time(), report, flow_.backend().fluid());
-      recorder_.after_renewal(flow_.domain());
+      recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
       tell_progress(report);
     }
   }

@@ -73,6 +73,7 @@ std::optional<StudyRecord> finished_record(const std::filesystem::path& folder, 
   record.particles = run.number("particles");
   record.median_layers = ManifestTable(*manifest, "resolution").number("median_layers");
   record.at_rest = ManifestTable(*manifest, "motion").is_true("at_rest");
+  record.energy_imbalance = ManifestTable(*manifest, "energy").number("imbalance");
   record.quantities = ManifestTable(*manifest, "quantities").numbers();
   return record;
 }

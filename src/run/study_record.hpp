@@ -20,6 +20,7 @@ struct StudyRecord {
   double particles = 0;
   double median_layers = 0;
   bool at_rest = false;
+  double energy_imbalance = 0;                             ///< see EnergyBalance
   std::vector<std::pair<std::string, double>> quantities;  ///< "front run-out [m]" and so on
 };
 

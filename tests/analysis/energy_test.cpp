@@ -60,5 +60,19 @@ TEST(Energy, sums_over_all_blocks) {
   EXPECT_EQ(energy_of(Particles{}, {0, 0, -1}, water).mass, 0);
 }
 
+// 100 J at the start. 60 J of height are given up: 40 J of them are heat, 15 J motion, 2 J went off
+// with what left, whose height was worth 10 J. 3 J are missing.
+TEST(EnergyBalance, FollowsWhatIsGivenUp) {
+  const Energy start{10, 0, 100, 0};
+  const Energy now{9, 14, 30, 1};
+  const Energy left{1, 2, 10, 0};
+  const EnergyBalance balance = energy_balance(start, now, left, 40);
+  EXPECT_DOUBLE_EQ(balance.released, 60);
+  EXPECT_DOUBLE_EQ(balance.carried_off, 2);
+  EXPECT_DOUBLE_EQ(balance.unaccounted, -3);
+  EXPECT_DOUBLE_EQ(balance.imbalance(), -0.05);
+  EXPECT_EQ(energy_balance(start, start, {}, 0).imbalance(), 0);
+}
+
 }  // namespace
 }  // namespace sabo
