@@ -23,6 +23,9 @@ std::string with_unit(double value, const std::string& unit) {
 }
 
 std::string_view outcome(bool holds) { return holds ? "pass" : "FAIL"; }
+std::string_view outcome(const Claim& claim) {
+  return claim.gate == GateKind::none && claim.holds() ? "told" : outcome(claim.holds());
+}
 
 /// Characters of a UTF-8 text, each a column wide.
 std::size_t columns(const std::string& text) {
@@ -45,7 +48,7 @@ PageTable table_of(const VerifyRecord& record) {
                   {}};
   for (const Claim& claim : record.verdict.claims)
     table.rows.push_back({claim.what, with_unit(claim.measured, claim.unit), gate_text(claim),
-                          std::string(outcome(claim.holds()))});
+                          std::string(outcome(claim))});
   if (!record.failure.empty()) table.rows.push_back({record.failure, "", "", "FAIL"});
   return table;
 }
@@ -75,6 +78,8 @@ std::string gate_text(const Claim& claim) {
       return "at most " + expected;
     case GateKind::at_least:
       return "at least " + expected;
+    case GateKind::none:
+      return "beside " + expected;
   }
   return "";
 }
@@ -88,9 +93,8 @@ std::string text_of(const VerifyRecord& record) {
     measured = std::max(measured, columns(with_unit(claim.measured, claim.unit)));
   }
   for (const Claim& claim : record.verdict.claims)
-    text +=
-        fmt::format("        {}  {}  {}  {}\n", outcome(claim.holds()), padded(claim.what, what),
-                    padded(with_unit(claim.measured, claim.unit), measured), gate_text(claim));
+    text += fmt::format("        {}  {}  {}  {}\n", outcome(claim), padded(claim.what, what),
+                        padded(with_unit(claim.measured, claim.unit), measured), gate_text(claim));
   for (const std::string& remark : record.verdict.remarks) text += "        " + remark + "\n";
   if (!record.failure.empty()) text += "        " + record.failure + "\n";
   return text;

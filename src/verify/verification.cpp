@@ -28,6 +28,9 @@ const std::vector<Verification>& verifications() {
        "explicit two-point viscosity (Morris et al. 1997) and walls of Adami et al. (2012)",
        {Method::fast},
        verify_runout},
+      {"yohutagawa", "The event of 2010 on generated terrain, with and without pore pressure",
+       "the run published with the method (doi:10.1007/s11069-016-2171-x), on its own terrain",
+       both, verify_yohutagawa},
   };
   return list;
 }
