@@ -23,6 +23,8 @@ const std::vector<Verification>& verifications() {
   static const std::vector<Verification> list{
       {"slab", "Frictional slab on an infinite slope, from rest",
        "the same rheology in one dimension, by finite volumes", both, verify_slab},
+      {"invariance", "A slump that is turned, moved, computed otherwise",
+       "the same slump; for a single step to rounding", both, verify_invariance},
       {"runout",
        "Run-out of a block from 33 to 5 degrees, by both methods",
        "explicit two-point viscosity (Morris et al. 1997) and walls of Adami et al. (2012)",
