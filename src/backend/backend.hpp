@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "backend/body_load.hpp"
 #include "backend/model.hpp"
 #include "backend/pass_times.hpp"
 #include "backend/viscous_solver.hpp"
@@ -70,7 +71,7 @@ class Backend {
   /// w. The residual (m/s) ends below `tolerance`, or nothing changes and the solve has not
   /// converged.
   virtual ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) = 0;
-  /// Strain rate and rate of density of the fluid with its new velocity.
+  /// Strain rate and rate of density of the fluid with its new velocity; friction on bodies.
   virtual void near_motion() = 0;
   /// Moves density and position over the step, then finds the pressure of the fluid and its
   /// effective viscosity.
@@ -89,6 +90,12 @@ class Backend {
   /// evaluation, W; with moving walls their work is counted as well. To be called before the
   /// state moves on.
   virtual double dissipation() const = 0;
+
+  /// What the fluid does to each body at the last evaluation, number 1 first: minus what its
+  /// particles do to the fluid, by pressure, artificial viscosity and stress; in the implicit
+  /// method also by the wall law, from near_motion() on. Particles that sleep press as they last
+  /// did, without friction. Empty without bodies.
+  virtual const std::vector<BodyLoad>& body_loads() const = 0;
 
   /// Keeps the state as the start of a step and moves it half a step with the current rates.
   virtual void predict(double dt) = 0;

@@ -27,6 +27,7 @@ void HostBackend::find_neighbours() {
   if (model_.periodic.any())
     for (Vec3d& position : fluid_.position) position = model_.periodic.wrapped(position);
   list_pairs();
+  list_bodies();
   const std::size_t all = fluid_.size() + boundary_.size();
   strain_.assign(all, {});
   stress_.assign(all, {});

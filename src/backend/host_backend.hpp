@@ -8,6 +8,7 @@
 #include "backend/wall_share.hpp"
 #include "math/sym3.hpp"
 #include "physics/half_space.hpp"
+#include "physics/pair/geometry.hpp"
 
 namespace sabo {
 
@@ -36,6 +37,7 @@ class HostBackend : public Backend {
   void set_sound_speed(double c0) override;
   const std::vector<Vec3d>& accelerations() const override { return acceleration_; }
   const std::vector<double>& density_rates() const override { return density_rate_; }
+  const std::vector<BodyLoad>& body_loads() const override { return body_loads_; }
 
  protected:
   /// Lists the pairs of the present positions, reordering the particles if it likes.
@@ -54,6 +56,12 @@ class HostBackend : public Backend {
   void find_diffusion_background();
   /// Shear rate and effective viscosity of the fluid from its strain rate and pressure.
   void find_viscosity();
+
+  /// What bodies get: by the pair terms of momentum(), or by those of near_forces() and then by the
+  /// wall law.
+  void load_bodies_by_stress();
+  void load_bodies_by_pressure();
+  void load_bodies_by_friction();
 
   HalfSpace half_space_;
   double yield_slope_;  ///< of the model's yield: a tangent that no particle has to take again
@@ -85,12 +93,21 @@ class HostBackend : public Backend {
   WallContact contact_of(const Law& law, std::size_t i, const Vec3d& normal, double distance) const;
   template <class Law>
   void stress_of(const Law& law, Particles& particles, std::size_t offset, bool carries_stress);
+  void list_bodies();
+  template <class PairForce>
+  void add_to_bodies(const PairForce& force);
+  Vec3d artificial_on_wall(std::size_t i, std::size_t b, const PairGeometry<double>& pair) const;
 
   int threads_;
   std::vector<Vec3d> start_position_;
   std::vector<Vec3d> start_velocity_;
   std::vector<double> start_density_;
   std::vector<double> start_boundary_density_;
+
+  std::vector<std::uint32_t> body_rows_;  // boundary particles of bodies
+  std::vector<Vec3d> row_forces_;         // on each of them, N
+  std::vector<BodyLoad> body_loads_;
+  std::vector<std::vector<std::uint32_t>> near_rows_;  // one to work with for each thread
 };
 
 }  // namespace sabo

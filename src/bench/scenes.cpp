@@ -66,25 +66,25 @@ Raster rough_map(int cells) {
 
 constexpr double water_depth = 0.3, water_length = 0.4;  // m
 
-/// Water, tank and column of dam_break(), with a particle on each corner of the lattice.
+/// Water, tank and column of dam_break(), walls of one layer, with a particle on each corner of the
+/// lattice.
 void fill_tank(Particles& water, Particles& walls, const FlowModel& model) {
-  const double spacing = model.spacing;
-  const auto cells = [&](double length) { return static_cast<int>(std::lround(length / spacing)); };
-  const int nx = cells(1.6), ny = cells(0.67), nz = cells(0.4);
-  const int x0 = cells(0.9), x1 = cells(1.02), y0 = cells(0.24), y1 = cells(0.36);
-  const int top = cells(0.45);
-  for (int i = 0; i <= nx; ++i)
-    for (int j = 0; j <= ny; ++j)
-      for (int k = 0; k <= top; ++k) {
-        const bool on_tank = k <= nz && (i == 0 || i == nx || j == 0 || j == ny || k == 0);
-        const bool in_column = i >= x0 && i <= x1 && j >= y0 && j <= y1;
-        const bool on_column = in_column && (i == x0 || i == x1 || j == y0 || j == y1 || k == top);
-        const Vec3d x{i * spacing, j * spacing, k * spacing};
-        if (on_tank || on_column)
-          add_particle(walls, model, x);
-        else if (i <= cells(water_length) && k <= cells(water_depth) && !in_column)
-          add_particle(water, model, x);
-      }
+  const double dp = model.spacing, half = 0.5 * dp;
+  const auto corner = [&](double length) { return std::lround(length / dp) * dp; };
+  const double length = corner(1.6), width = corner(0.67), height = corner(0.4);
+  const Box inner{{half, half, half}, {length - half, width - half, height + half}};
+  Tank{inner, 1}.add_to(walls, model);
+  const double x0 = corner(0.9) - half, x1 = corner(1.02) + half;
+  const double y0 = corner(0.24) - half, y1 = corner(0.36) + half;
+  const double top = corner(0.45) + half, lid = top - dp;
+  for (const Box& side : {Box{{x0, y0, half}, {x0 + dp, y1, lid}},
+                          {{x1 - dp, y0, half}, {x1, y1, lid}},
+                          {{x0 + dp, y0, half}, {x1 - dp, y0 + dp, lid}},
+                          {{x0 + dp, y1 - dp, half}, {x1 - dp, y1, lid}},
+                          {{x0, y0, lid}, {x1, y1, top}}})
+    add_box(walls, model, side);
+  const Vec3d end{corner(water_length) + half, inner.high.y, corner(water_depth) + half};
+  add_box(water, model, {inner.low, end});
 }
 
 }  // namespace

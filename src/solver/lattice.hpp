@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 
 #include "backend/backend.hpp"
@@ -21,6 +22,26 @@ struct Cells {
 
 /// Fills cells of the lattice, one particle in the middle of each. In two dimensions y is 0.
 void add_block(Particles& particles, const FlowModel& model, const Cells& cells);
+
+/// An upright box, m. In two dimensions its y means nothing.
+struct Box {
+  Vec3d low, high;
+};
+
+/// Fills a box with particles of the number of a body (0: none): along each axis as many as come
+/// nearest to the spacing, stretched so that their cells fill the box exactly. Masses are those of
+/// the cells.
+void add_box(Particles& particles, const FlowModel& model, const Box& box, std::uint16_t body = 0);
+
+/// The same with the density of fluid at rest whose level surface is the top of the box.
+void add_still_box(Particles& fluid, const FlowModel& model, const Box& box);
+
+/// Walls around an upright box, open at the top; in two dimensions without walls across y.
+struct Tank {
+  Box inner;
+  int layers = 0;  ///< of the walls; 0: as many as fill the kernel
+  void add_to(Particles& boundary, const FlowModel& model) const;
+};
 
 /// Gives the fluid the density of one at rest whose level surface is at the height `surface` (m):
 /// under the gravity across it, on an incline its part across the bed.

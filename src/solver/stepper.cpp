@@ -10,6 +10,9 @@ StepReport Stepper::step(double longest) {
   const StepReport report = advance(longest);
   time_ += report.dt;
   ++steps_;
+  const std::vector<BodyLoad>& loads = backend_.body_loads();
+  body_impulses_.resize(loads.size());
+  for (std::size_t k = 0; k < loads.size(); ++k) body_impulses_[k] += report.dt * loads[k];
   check_health();
   return report;
 }

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <vector>
 
 #include "backend/backend.hpp"
 #include "physics/time_step.hpp"
@@ -37,6 +38,9 @@ class Stepper {
   double time() const { return time_; }  ///< s
   std::size_t steps() const { return steps_; }
   double dissipated() const { return dissipated_; }  ///< heat made by viscosity so far, J
+  /// What each body has been given so far, number 1 first: the loads of every step over its time,
+  /// N s and N m s. Its difference over an interval by the interval is the mean load.
+  const std::vector<BodyLoad>& body_impulses() const { return body_impulses_; }
 
  protected:
   /// Moves the state over one step.
@@ -53,6 +57,7 @@ class Stepper {
   Domain* domain_;
   double time_ = 0;
   std::size_t steps_ = 0;
+  std::vector<BodyLoad> body_impulses_;
 };
 
 }  // namespace sabo

@@ -10,5 +10,8 @@ Verdict verify_slab(const VerifySettings& settings);
 Verdict verify_invariance(const VerifySettings& settings);
 Verdict verify_yohutagawa(const VerifySettings& settings);
 Verdict verify_runout(const VerifySettings& settings);
+Verdict verify_jet(const VerifySettings& settings);
+Verdict verify_column_force(const VerifySettings& settings);
+Verdict verify_spheric2(const VerifySettings& settings);
 
 }  // namespace sabo

@@ -33,6 +33,14 @@ const std::vector<Verification>& verifications() {
       {"yohutagawa", "The event of 2010 on generated terrain, with and without pore pressure",
        "the run published with the method (doi:10.1007/s11069-016-2171-x), on its own terrain",
        both, verify_yohutagawa},
+      {"jet", "Force of a plane jet on a plate",
+       "momentum theorem: F = rho b u^2 (Batchelor 1967, section 6.3)", both, verify_jet},
+      {"column-force", "Force of a dam break on a square column",
+       "Yeh & Petroff, in Raad & Bidoae, J. Comput. Phys. 203 (2005), Fig. 18", both,
+       verify_column_force},
+      {"spheric2", "Dam break on a box (SPHERIC test 2)",
+       "experiment of MARIN, Kleefsman et al., J. Comput. Phys. 206 (2005); SPHERIC release", both,
+       verify_spheric2},
   };
   return list;
 }

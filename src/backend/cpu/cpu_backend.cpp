@@ -165,11 +165,14 @@ void CpuBackend::strain_and_density_rates() {
 
 void CpuBackend::momentum() {
   pack_stress();
-  const PassClock clock(pass_times_, "force sweep", fluid_pairs_);
-  parallel_blocks(fluid_.size(), sweep_block, threads(), [&](Range range) {
-    sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last, model_.gravity,
-                   acceleration_.data(), pressure_power_.data()});
-  });
+  {
+    const PassClock clock(pass_times_, "force sweep", fluid_pairs_);
+    parallel_blocks(fluid_.size(), sweep_block, threads(), [&](Range range) {
+      sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last,
+                     model_.gravity, acceleration_.data(), pressure_power_.data()});
+    });
+  }
+  load_bodies_by_stress();
 }
 
 }  // namespace sabo

@@ -87,14 +87,18 @@ void CpuBackend::wall_pressure() {
 void CpuBackend::near_forces() {
   const bool needs_motion = model_.artificial_viscosity > 0 || model_.walls_move;
   if (needs_motion) pack_near_motion();
-  const PassClock clock(pass_times_, "force and matrix", fluid_pairs_);
-  parallel_blocks(chunk_rows_.size() - 1, 1, threads(), [&](Range chunk) {
-    NearPairs::Writer writer(near_, chunk.first, list_.chunk_length(chunk.first));
-    sweeps_.near_force({&scale_, &list_, flow_.data(), motion_.data(), needs_motion, awake_.data(),
-                        chunk_rows_[chunk.first], chunk_rows_[chunk.last], model_.gravity, &writer,
-                        acceleration_.data(), velocity_step_.conductance_sum.data(),
-                        filling_.data(), wall_share_.data()});
-  });
+  {
+    const PassClock clock(pass_times_, "force and matrix", fluid_pairs_);
+    parallel_blocks(chunk_rows_.size() - 1, 1, threads(), [&](Range chunk) {
+      NearPairs::Writer writer(near_, chunk.first, list_.chunk_length(chunk.first));
+      sweeps_.near_force({&scale_, &list_, flow_.data(), motion_.data(), needs_motion,
+                          awake_.data(), chunk_rows_[chunk.first], chunk_rows_[chunk.last],
+                          model_.gravity, &writer, acceleration_.data(),
+                          velocity_step_.conductance_sum.data(), filling_.data(),
+                          wall_share_.data()});
+    });
+  }
+  load_bodies_by_pressure();
 }
 
 ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
@@ -129,6 +133,7 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
 }
 
 void CpuBackend::near_motion() {
+  load_bodies_by_friction();
   find_diffusion_background();
   const PassClock clock(pass_times_, "near motion", near_.size());
   pack_near_motion();

@@ -98,6 +98,7 @@ void ReferenceBackend::momentum() {
     acceleration_[i] = a;
     pressure_power_[i] = power;
   }
+  load_bodies_by_stress();
 }
 
 }  // namespace sabo

@@ -50,6 +50,7 @@ void ReferenceBackend::near_forces() {
     filling_[i] = filling;
     wall_share_[i] = wall;
   }
+  load_bodies_by_pressure();
 }
 
 ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
@@ -82,6 +83,7 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
 
 void ReferenceBackend::near_motion() {
   const std::size_t fluids = fluid_.size();
+  load_bodies_by_friction();
   find_diffusion_background();
   DensityDiffusion<double> diffusion{2 * model_.density_diffusion * model_.h * model_.state.c0,
                                      model_.eta2(), model_.diffusion_background()};

@@ -1,0 +1,25 @@
+#pragma once
+
+#include "math/vec3.hpp"
+
+namespace sabo {
+
+/// What the fluid does to a body; in two dimensions per metre across.
+struct BodyLoad {
+  Vec3d force;   ///< N
+  Vec3d moment;  ///< about the origin, N m
+
+  /// The moment about another point.
+  Vec3d moment_about(const Vec3d& point) const { return moment - cross(point, force); }
+
+  BodyLoad& operator+=(const BodyLoad& other) {
+    force += other.force;
+    moment += other.moment;
+    return *this;
+  }
+  friend BodyLoad operator*(double factor, const BodyLoad& load) {
+    return {factor * load.force, factor * load.moment};
+  }
+};
+
+}  // namespace sabo

@@ -1,0 +1,110 @@
+// A plane jet of water without weight strikes a wide plate and is turned aside: the force on the
+// plate is the momentum that the jet carries in a time, F = rho b u^2 per metre across (Batchelor
+// 1967, section 6.3).
+
+#include <cmath>
+
+#include "verify/cases.hpp"
+#include "verify/water.hpp"
+#include <fmt/format.h>
+
+#include "solver/flow_model.hpp"
+#include "solver/make_backend.hpp"
+#include "solver/make_stepper.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr double thickness = 0.1, speed = 2;  // m, m/s
+constexpr double length = 10 * thickness;     // of the jet
+constexpr double half_plate = 6 * thickness;  // m; sheets leave it along its face
+constexpr double turn = thickness / speed;    // s
+constexpr double plateau_start = 3 * turn, plateau_end = 8 * turn, end = 9 * turn;
+
+struct Strike {
+  TimeIntegral force;   ///< on the plate, per metre across
+  double momentum = 0;  ///< that the jet had towards the plate, kg m/s
+  double kept = 0;      ///< that it still has in the end
+  double lost() const { return momentum - kept; }
+};
+
+double momentum_down(const Particles& fluid) {
+  double sum = 0;
+  for (std::size_t i = 0; i < fluid.size(); ++i) sum -= fluid.mass[i] * fluid.velocity[i].z;
+  return sum;
+}
+
+Strike simulated(const VerifySettings& settings, int layers, double density,
+                 const std::function<void(double share)>& on_progress) {
+  // The first blow is that of a water hammer, rho c u: twice the speed keeps its density in range.
+  NumericsCase numerics = water_numerics(settings, thickness / layers, 2 * speed);
+  numerics.reference_speed = 2 * speed;
+  numerics.gravity = 0;
+  MaterialCase material = water();
+  material.density = density;
+  FlowModel model = flow_model(material, numerics, thickness);
+  model.dimension = 2;
+  const auto backend = make_backend(numerics.backend, model);
+  const double dp = model.spacing, half = 0.5 * thickness;
+  Particles& fluid = backend->fluid();
+  add_box(fluid, model, {{-half, 0, dp}, {half, 0, dp + length}});
+  for (Vec3d& velocity : fluid.velocity) velocity = {0, 0, -speed};
+  const double wall = model.wall_layers() * dp;
+  add_box(backend->boundary(), model, {{-half_plate, 0, -wall}, {half_plate, 0, 0}}, 1);
+  Strike strike;
+  strike.momentum = momentum_down(fluid);
+  const auto stepper = make_stepper(numerics, *backend, nullptr);
+  const auto keep = [&](double time) {
+    strike.force.set(time, -stepper->body_impulses()[0].force.z);
+  };
+  run_until(*stepper, end, keep, on_progress);
+  strike.kept = momentum_down(fluid);
+  return strike;
+}
+
+}  // namespace
+
+Verdict verify_jet(const VerifySettings& settings) {
+  const double expected = water().density * thickness * speed * speed;  // N/m
+  const std::vector<int> resolutions = settings.is_quick() ? std::vector{14} : std::vector{20, 40};
+  Verdict verdict;
+  LineChart chart{"Force of a plane jet on a plate", "time [s]", "force [N/m]"};
+  // A run costs as the cube of its layers; the last one is the control.
+  const int control_layers = settings.is_quick() ? 14 : 20;
+  double total = std::pow(control_layers, 3), done = 0;
+  for (const int layers : resolutions) total += std::pow(layers, 3);
+  const auto run = [&](int layers, double density) {
+    const double cost = std::pow(layers, 3);
+    Strike strike = simulated(settings, layers, density, [&](double share) {
+      settings.on_progress((done + share * cost) / total);
+    });
+    done += cost;
+    return strike;
+  };
+  for (const int layers : resolutions) {
+    const Strike strike = run(layers, water().density);
+    verdict.claims.push_back(Claim::within_share(
+        fmt::format("b/dp {}: force over {:g}-{:g} s", layers, plateau_start, plateau_end), "N/m",
+        strike.force.mean(plateau_start, plateau_end), expected,
+        settings.is_quick() ? 0.08 : 0.05));
+    verdict.claims.push_back(
+        Claim::within_share(fmt::format("b/dp {}: impulse, of the momentum lost", layers), "N s/m",
+                            strike.force.integral(0, end), strike.lost(), 0.02));
+    chart.series.push_back(strike.force.series(fmt::format("b/dp {}", layers), 0.1 * turn, end));
+  }
+  const Strike heavy = run(control_layers, 1.1 * water().density);
+  verdict.claims.push_back(Claim::at_least(
+      fmt::format("b/dp {}, a jet heavier by 10 %: force over that of water", control_layers), "",
+      heavy.force.mean(plateau_start, plateau_end) / expected, 1.05));
+  chart.references = {{expected, "ρ b u²"}};
+  chart.y_high = 2 * expected;
+  verdict.charts = {std::move(chart)};
+  verdict.remarks = {fmt::format(
+      "b {:g} m, u {:g} m/s, c0 {:g} m/s at least, artificial viscosity {:g}. The first blow, a "
+      "water hammer, goes beyond the chart",
+      thickness, speed, settings.numerics().sound_speed_factor * 2 * speed,
+      water_artificial_viscosity)};
+  return verdict;
+}
+
+}  // namespace sabo
