@@ -18,6 +18,13 @@ NumericsCase VerifySettings::numerics() const {
   return numerics;
 }
 
+FlowModel VerifySettings::model(const MaterialCase& material, const NumericsCase& numerics,
+                                double release_depth) const {
+  FlowModel model = flow_model(material, numerics, release_depth);
+  alter(model);
+  return model;
+}
+
 const std::vector<Verification>& verifications() {
   static const std::vector<Method> both{Method::fast, Method::paper};
   static const std::vector<Verification> list{
