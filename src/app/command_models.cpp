@@ -53,9 +53,9 @@ int list_or_plot(const ModelsOptions& options) {
                   fmt::format("plastic viscosity {:g} Pa s, yield stress {:g} Pa",
                               options.viscosity, options.yield_stress));
   const std::filesystem::path folder = options.folder;
-  for (const auto& [file, svg] : {std::pair{"effective_viscosity.svg", plot.effective_viscosity},
-                                  std::pair{"shear_stress.svg", plot.shear_stress}}) {
-    write_file_atomically(folder / file, svg);
+  for (const auto& [file, chart] : {std::pair{"effective_viscosity.svg", plot.effective_viscosity},
+                                    std::pair{"shear_stress.svg", plot.shear_stress}}) {
+    write_file_atomically(folder / file, chart_svg(chart));
     fmt::print("Wrote {}\n", (folder / file).lexically_normal().string());
   }
   return exit_done;

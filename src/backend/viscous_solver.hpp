@@ -41,15 +41,16 @@ class ViscousSolver {
   }
 
   /// Iterates until no component of the residual over the mass exceeds `tolerance` (m/s, root mean
-  /// square over `rows`). `multiply` sets `product` to the matrix times `direction`
-  /// and returns their scalar product.
+  /// square over `rows`), or what is left of the first one is rounding. `multiply` sets `product`
+  /// to the matrix times `direction` and returns their scalar product.
   template <class Multiply>
   ViscousSolve solve(const std::vector<std::uint32_t>& rows, const std::vector<T>& mass,
                      double tolerance, int most, int threads, const Multiply& multiply) {
     mass_ = &mass;
     ViscousSolve outcome;
-    const double enough = tolerance * tolerance * static_cast<double>(rows.size());
     Sums sums = restart(rows, threads);
+    const double enough = std::max(tolerance * tolerance * static_cast<double>(rows.size()),
+                                   least_share * least_share * sums.largest());
     while (sums.largest() > enough) {
       if (outcome.iterations == most) {
         outcome.converged = false;
@@ -71,6 +72,7 @@ class ViscousSolver {
 
  private:
   static constexpr std::size_t block = 1024;
+  static constexpr double least_share = 1e-5;  // of the first residual
 
   struct Sums {
     Dot energy{};  ///< residual . residual / diagonal

@@ -46,7 +46,7 @@ StepReport FastStepper::advance(double longest) {
     // Without gravity: what the fastest acceleration changes.
     const double change = report.dt * (gravity > 0 ? gravity : report.flow.acceleration);
     const ViscousSolve solve = backend_.advance_velocity(
-        report.dt, rule_.viscous_tolerance * change + 1e-9, rule_.most_iterations);
+        report.dt, rule_.viscous_tolerance * change, rule_.most_iterations);
     report.iterations += solve.iterations;
     if (solve.converged) {
       dissipated_ += solve.heat;

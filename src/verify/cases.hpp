@@ -6,6 +6,10 @@ namespace sabo {
 
 // Each is one file of verify/cases, with everything that the case is about.
 
+Verdict verify_rheologies(const VerifySettings& settings);
+Verdict verify_startup(const VerifySettings& settings);
+Verdict verify_slit(const VerifySettings& settings);
+Verdict verify_incline(const VerifySettings& settings);
 Verdict verify_slab(const VerifySettings& settings);
 Verdict verify_invariance(const VerifySettings& settings);
 Verdict verify_yohutagawa(const VerifySettings& settings);

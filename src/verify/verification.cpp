@@ -18,9 +18,27 @@ NumericsCase VerifySettings::numerics() const {
   return numerics;
 }
 
+FlowModel VerifySettings::model(const MaterialCase& material, const NumericsCase& numerics,
+                                double release_depth) const {
+  FlowModel model = flow_model(material, numerics, release_depth);
+  alter(model);
+  return model;
+}
+
 const std::vector<Verification>& verifications() {
   static const std::vector<Method> both{Method::fast, Method::paper};
   static const std::vector<Verification> list{
+      {"rheologies",
+       "Bingham's fluid and the laws that stand in for it",
+       "figure 1 of the paper (doi:10.1007/s11069-016-2171-x)",
+       {Method::fast},
+       verify_rheologies},
+      {"startup", "Poiseuille and Couette flow from rest",
+       "series of Morris, Fox & Zhu (1997), Eqs. 22 and 23", both, verify_startup},
+      {"slit", "Fluids with a yield stress between two plates",
+       "the law of each, integrated over the known stress", both, verify_slit},
+      {"incline", "Layers with friction or a yield stress down an incline",
+       "the law of each, integrated over the weight of the layer", both, verify_incline},
       {"slab", "Frictional slab on an infinite slope, from rest",
        "the same rheology in one dimension, by finite volumes", both, verify_slab},
       {"invariance", "A slump that is turned, moved, computed otherwise",

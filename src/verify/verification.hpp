@@ -8,8 +8,10 @@
 
 #include "verify/claim.hpp"
 
+#include "case/material_case.hpp"
 #include "case/numerics_case.hpp"
 #include "io/output/svg_chart.hpp"
+#include "solver/flow_model.hpp"
 
 namespace sabo {
 
@@ -29,11 +31,18 @@ struct VerifySettings {
   /// Told now and then what share of the work is done; may throw to end the case early.
   std::function<void(double share)> on_progress = [](double) {};
 
+  /// Breaks a term of every model on purpose: what a case expects stays, so it has to notice.
+  std::function<void(FlowModel&)> alter = [](FlowModel&) {};
+
   bool is_quick() const { return effort == Effort::quick; }
 
   /// The setting of the method in which it is verified. That of `paper` is the accurate one, not
   /// its default, which is the paper read literally.
   NumericsCase numerics() const;
+
+  /// flow_model(), altered. Cases that lay out their flow by hand take their models from here.
+  FlowModel model(const MaterialCase& material, const NumericsCase& numerics,
+                  double release_depth) const;
 };
 
 /// What a case found out.

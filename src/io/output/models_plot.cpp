@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "io/output/svg_chart.hpp"
 
 namespace sabo {
 namespace {
@@ -59,7 +58,7 @@ ModelsPlot plot_models(const std::vector<Rheology>& laws, const Shear& at,
     chart->width = 900;
     chart->height = 520;
   }
-  return {chart_svg(viscosities), chart_svg(stresses)};
+  return {std::move(viscosities), std::move(stresses)};
 }
 
 }  // namespace sabo

@@ -3,14 +3,15 @@
 #include <string>
 #include <vector>
 
+#include "io/output/svg_chart.hpp"
 #include "physics/rheology_list.hpp"
 
 namespace sabo {
 
-/// Charts of laws of flow over the shear rate, as SVG files.
+/// Laws of flow over the shear rate.
 struct ModelsPlot {
-  std::string effective_viscosity;
-  std::string shear_stress;
+  LineChart effective_viscosity;
+  LineChart shear_stress;
 };
 
 /// Draws laws at one yield stress and effective pressure (Pa) from 1e-4 to 1e3 1/s; at.rate is not

@@ -11,7 +11,6 @@
 #include "verify/cases.hpp"
 #include <fmt/format.h>
 
-#include "solver/flow_model.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -60,7 +59,7 @@ class Slump {
     material.law = Cross{20, 1000, 1};
     material.yield = {0, 25, 0};
     const double depth = cells * spacing;
-    FlowModel model = flow_model(material, numerics, depth);
+    FlowModel model = settings.model(material, numerics, depth);
     model.dimension = 2;
     backend_ = make_backend(view.backend, seen(model));
     Particles& fluid = backend_->fluid();

@@ -13,7 +13,6 @@
 #include "verify/cases.hpp"
 #include <fmt/format.h>
 
-#include "solver/flow_model.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -53,12 +52,12 @@ NumericsCase numerics_of(Method method, VerifySettings settings) {
   return numerics;
 }
 
-FlowModel model_of(const NumericsCase& numerics) {
+FlowModel model_of(const NumericsCase& numerics, const VerifySettings& settings) {
   MaterialCase material;
   material.density = 1726;
   material.law = Cross{1255, 1000, 1};
   material.yield = {0, 28, 0};
-  FlowModel model = flow_model(material, numerics, depth);
+  FlowModel model = settings.model(material, numerics, depth);
   model.periodic.period[1] = {0, width * spacing, 0};
   return model;
 }
@@ -101,9 +100,8 @@ struct Runout {
   ChartSeries track;   ///< travel over time
 };
 
-Runout run(const NumericsCase& numerics, const Surface& surface, std::uint64_t seed, double end,
-           const std::function<void(double share)>& on_progress) {
-  const FlowModel model = model_of(numerics);
+Runout run(const NumericsCase& numerics, const FlowModel& model, const Surface& surface,
+           std::uint64_t seed, double end, const std::function<void(double share)>& on_progress) {
   const auto backend = make_backend(numerics.backend, model);
   Ground ground(surface, {}, {spacing, model.wall_layers(), model.state.rho0});
   ground.make_all(west, 0, east, width * spacing, backend->boundary());
@@ -147,8 +145,9 @@ Verdict verify_runout(const VerifySettings& settings) {
       const auto on_progress = [&](double share) {
         if (method == Method::paper) settings.on_progress((done + share) / members);
       };
-      Runout one = run(numerics_of(method, settings), surface, static_cast<std::uint64_t>(member),
-                       end, on_progress);
+      const NumericsCase numerics = numerics_of(method, settings);
+      Runout one = run(numerics, model_of(numerics, settings), surface,
+                       static_cast<std::uint64_t>(member), end, on_progress);
       Runout& sum = mean[method == Method::paper];
       sum.travel += one.travel / members;
       sum.front += one.front / members;

@@ -8,7 +8,6 @@
 #include "verify/slab_solution.hpp"
 #include <fmt/format.h>
 
-#include "solver/flow_model.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_stepper.hpp"
 
@@ -34,7 +33,7 @@ ChartSeries simulated(const Slab& slab, const VerifySettings& settings, double e
   material.law = Cross{1255, slab.ratio, 1};
   material.yield = {0, friction_angle, 0};
   Layer layer;
-  layer.model = flow_model(material, numerics, depth);
+  layer.model = settings.model(material, numerics, depth);
   layer.model.dimension = slab.dimension;
   layer.model.gravity = {g * std::sin(slab.slope), 0, -g * std::cos(slab.slope)};
   layer.cells = slab.layers;
