@@ -34,6 +34,7 @@ class ViscousSolver {
   Vector direction;  ///< handed to the product
   Vector product;
   std::vector<T> diagonal;  ///< kg, in
+  Dot residual_sum{};       ///< over the rows, of the solution, out; kg m/s
 
   void reset(std::size_t particles) {
     for (Vector* v : {&change, &residual, &direction, &product}) v->assign(particles, {});
@@ -50,6 +51,7 @@ class ViscousSolver {
     ViscousSolve outcome;
     const double enough = tolerance * tolerance * static_cast<double>(rows.size());
     Sums sums = restart(rows, threads);
+    residual_sum = sums.residual;
     while (sums.largest() > enough) {
       if (outcome.iterations == most) {
         outcome.converged = false;
@@ -64,6 +66,7 @@ class ViscousSolver {
         keep[c] = sums.energy[c] > 0 ? next.energy[c] / sums.energy[c] : 0;
       turn(rows, keep, threads);
       sums = next;
+      residual_sum = sums.residual;
       ++outcome.iterations;
     }
     return outcome;
@@ -75,6 +78,7 @@ class ViscousSolver {
   struct Sums {
     Dot energy{};  ///< residual . residual / diagonal
     Dot size{};    ///< |residual / mass|^2
+    Dot residual{};
     double largest() const { return std::max({size[0], size[1], size[2]}); }
   };
 
@@ -95,6 +99,7 @@ class ViscousSolver {
       for (int c = 0; c < 3; ++c) {
         total.energy[c] += sums.energy[c];
         total.size[c] += sums.size[c];
+        total.residual[c] += sums.residual[c];
       }
     }
     return total;
@@ -109,6 +114,7 @@ class ViscousSolver {
     for (int c = 0; c < 3; ++c) {
       sums.energy[c] += component[c] * component[c] * inverse;
       sums.size[c] += component[c] * component[c] * per_mass * per_mass;
+      sums.residual[c] += component[c];
     }
   }
 

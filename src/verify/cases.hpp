@@ -8,5 +8,7 @@ namespace sabo {
 
 Verdict verify_slab(const VerifySettings& settings);
 Verdict verify_runout(const VerifySettings& settings);
+Verdict verify_taylor_green(const VerifySettings& settings);
+Verdict verify_drops(const VerifySettings& settings);
 
 }  // namespace sabo

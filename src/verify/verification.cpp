@@ -28,6 +28,11 @@ const std::vector<Verification>& verifications() {
        "explicit two-point viscosity (Morris et al. 1997) and walls of Adami et al. (2012)",
        {Method::fast},
        verify_runout},
+      {"taylor-green", "Vortices in a periodic box decay by viscosity",
+       "exact solution of Taylor and Green (1937)", both, verify_taylor_green},
+      {"drops", "A drop drawn out by a strain flow, and one that oscillates in a central force",
+       "ordinary differential equations of Monaghan (1994) and Monaghan & Rafiee (2013)", both,
+       verify_drops},
   };
   return list;
 }

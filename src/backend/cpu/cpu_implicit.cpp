@@ -95,6 +95,7 @@ void CpuBackend::near_forces() {
                         acceleration_.data(), velocity_step_.conductance_sum.data(),
                         filling_.data(), wall_share_.data()});
   });
+  add_central_force();
 }
 
 ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
