@@ -90,17 +90,25 @@ void HostBackend::extrapolate_to_boundary() {
     for (Index b = 0; b < walls; ++b) {
       near.clear();
       fluid_near(fluid_.size() + static_cast<std::size_t>(b), near);
+      const Vec3d force = model_.body_force(boundary_.position[b]);
       double weight = 0;
       double pressure = 0;
       for (const std::uint32_t j : near) {
         const Vec3d x = model_.periodic.nearest(boundary_.position[b] - fluid_.position[j]);
         const double w = kernel.value(norm(x));
         weight += w;
-        pressure += w * (fluid_.pressure[j] + fluid_.density[j] * dot(model_.gravity, x));
+        pressure += w * (fluid_.pressure[j] + fluid_.density[j] * dot(force, x));
       }
       if (weight > 0) boundary_.density[b] = model_.state.density(std::max(0.0, pressure / weight));
     }
   }
+}
+
+void HostBackend::add_central_force() {
+  if (model_.central.strength == 0) return;
+  over_rows(awake_, threads_, [&](std::size_t i) {
+    acceleration_[i] -= model_.central.strength * (fluid_.position[i] - model_.central.origin);
+  });
 }
 
 FlowExtremes HostBackend::extremes() const {
@@ -146,7 +154,8 @@ double HostBackend::dissipation() const {
   // What the forces between particles take from the motion, less what pressure takes: viscosity
   // within the flow and at the walls, whatever the operator.
   return blocked_sum(fluid_.size(), threads_, [&](std::size_t i) {
-    const double power = dot(fluid_.velocity[i], acceleration_[i] - model_.gravity);
+    const Vec3d between = acceleration_[i] - model_.body_force(fluid_.position[i]);
+    const double power = dot(fluid_.velocity[i], between);
     return fluid_.mass[i] * (pressure_power_[i] - power);
   });
 }

@@ -52,6 +52,8 @@ class HostBackend : public Backend {
   virtual void prepare_rows() = 0;
   bool is_asleep(std::size_t i) const;
   void list_awake();
+  /// To the accelerations of the particles that are awake.
+  void add_central_force();
   /// Density gradients that density diffusion leaves alone.
   void find_diffusion_background();
   /// Shear rate and effective viscosity of the fluid from its strain rate and pressure.
@@ -88,6 +90,8 @@ class HostBackend : public Backend {
  private:
   bool is_calm(std::size_t i) const;
   bool touches_motion(std::size_t i, std::vector<std::uint32_t>& near) const;
+  void shift_particles(double dt);
+  double filled_by_shifts(std::size_t i, std::vector<std::uint32_t>& near) const;
   double held_to_places(double density, std::size_t i, double catch_up) const;
   template <class Law>
   WallContact contact_of(const Law& law, std::size_t i, const Vec3d& normal, double distance) const;
@@ -99,6 +103,7 @@ class HostBackend : public Backend {
   Vec3d artificial_on_wall(std::size_t i, std::size_t b, const PairGeometry<double>& pair) const;
 
   int threads_;
+  std::vector<Vec3d> shift_;  ///< of the last step, m
   std::vector<Vec3d> start_position_;
   std::vector<Vec3d> start_velocity_;
   std::vector<double> start_density_;

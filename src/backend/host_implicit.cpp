@@ -27,8 +27,9 @@ WallContact HostBackend::contact_of(const Law& law, std::size_t i, const Vec3d& 
   WallContact at;
   at.speed = norm(along);
   at.density = fluid_.density[i];
-  at.gravity = norm(model_.gravity);
-  const double pressure = fluid_.pressure[i] - at.density * distance * dot(model_.gravity, normal);
+  const Vec3d force = model_.body_force(fluid_.position[i]);
+  at.gravity = norm(force);
+  const double pressure = fluid_.pressure[i] - at.density * distance * dot(force, normal);
   at.pressure = model_.yield.effective_pressure(pressure);
   const double convention = model_.strain_convention();
   const double rate = convention * at.speed / distance;
@@ -73,11 +74,11 @@ void HostBackend::wall_resistance() {
 // leaves no density gradient there. At most that of a fluid at rest, whatever an impact does.
 void HostBackend::find_diffusion_background() {
   if (model_.diffusion_form != DiffusionForm::fourtakas) return;
-  const Vec3d gravity = model_.gravity;
-  const double most = norm(gravity);
   const double per_c2 = 1 / (model_.state.c0 * model_.state.c0);
   over_rows(awake_, threads_, [&](std::size_t i) {
-    const Vec3d carried = gravity + fluid_.drag[i];
+    const Vec3d force = model_.body_force(fluid_.position[i]);
+    const double most = norm(force);
+    const Vec3d carried = force + fluid_.drag[i];
     const double size = norm(carried);
     background_[i] = (size > most ? per_c2 * most / size : per_c2) * carried;
   });
@@ -102,6 +103,7 @@ double HostBackend::held_to_places(double density, std::size_t i, double catch_u
 }
 
 void HostBackend::advance_state(double dt) {
+  if (model_.particle_shifting > 0) shift_particles(dt);
   const PassClock clock(pass_times_, "density and viscosity");
   const double rho0 = model_.state.rho0;
   const Tait state = model_.state;

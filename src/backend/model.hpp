@@ -23,6 +23,12 @@ struct SleepRule {
   static constexpr double yield_share = 0.9;
 };
 
+/// A body force per mass towards a point, -strength (x - origin), for flows in free space.
+struct CentralForce {
+  double strength = 0;  ///< 1/s2; 0: none
+  Vec3d origin;         ///< m
+};
+
 /// Everything the sweeps need to know besides the particles; constant during a run.
 struct FlowModel {
   int dimension = 3;   ///< 3, or 2 in the x-z plane (one particle wide, y = 0)
@@ -30,6 +36,7 @@ struct FlowModel {
   double h = 1.5;      ///< smoothing length, m
   Tait state{1000, 10};
   Vec3d gravity{0, 0, -9.81};  ///< or any uniform body force per mass, m/s2
+  CentralForce central;        ///< in addition
   Rheology rheology = Newtonian{};
   MohrCoulomb yield;
   double density_diffusion = 0.1;  ///< zeta
@@ -41,6 +48,7 @@ struct FlowModel {
   WallShear wall = NoSlip{};                                       ///< of the implicit method
   bool as_printed = false;
   double crowding_tolerance = 0.03;  ///< of the implicit method: filling beyond density
+  double particle_shifting = 0;      ///< of the implicit method, see docs/method.md; 0: none
   SleepRule sleep;                   ///< of the implicit method, for laws with a yield stress
   bool walls_move = false;           ///< boundary particles may have velocities
   Periodic periodic;
@@ -55,10 +63,14 @@ struct FlowModel {
   int wall_layers() const { return static_cast<int>(std::ceil(kernel_radius() / spacing - 1e-9)); }
   /// Regularises r^2 in denominators, m2 (0.01 h^2 as in the paper).
   double eta2() const { return 0.01 * h * h; }
+  /// Acceleration by gravity and the central force at a place, m/s2.
+  Vec3d body_force(const Vec3d& x) const {
+    return gravity - central.strength * (x - central.origin);
+  }
   /// Density gradient of the fluid at rest that diffusion leaves alone, over rho0, 1/m.
-  Vec3d diffusion_background() const {
+  Vec3d diffusion_background(const Vec3d& x) const {
     const double per_c2 = 1 / (state.c0 * state.c0);
-    return diffusion_form == DiffusionForm::fourtakas ? per_c2 * gravity : Vec3d{};
+    return diffusion_form == DiffusionForm::fourtakas ? per_c2 * body_force(x) : Vec3d{};
   }
   /// Factor on eps in Eqs. 16-17: the paper prints 1/2, which halves every viscosity.
   double strain_convention() const { return as_printed ? 0.5 : 1; }

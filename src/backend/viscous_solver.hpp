@@ -34,6 +34,7 @@ class ViscousSolver {
   Vector direction;  ///< handed to the product
   Vector product;
   std::vector<T> diagonal;  ///< kg, in
+  Dot residual_sum{};       ///< over the rows, of the solution, out; kg m/s
 
   void reset(std::size_t particles) {
     for (Vector* v : {&change, &residual, &direction, &product}) v->assign(particles, {});
@@ -51,6 +52,7 @@ class ViscousSolver {
     Sums sums = restart(rows, threads);
     const double enough = std::max(tolerance * tolerance * static_cast<double>(rows.size()),
                                    least_share * least_share * sums.largest());
+    residual_sum = sums.residual;
     while (sums.largest() > enough) {
       if (outcome.iterations == most) {
         outcome.converged = false;
@@ -65,6 +67,7 @@ class ViscousSolver {
         keep[c] = sums.energy[c] > 0 ? next.energy[c] / sums.energy[c] : 0;
       turn(rows, keep, threads);
       sums = next;
+      residual_sum = sums.residual;
       ++outcome.iterations;
     }
     return outcome;
@@ -77,6 +80,7 @@ class ViscousSolver {
   struct Sums {
     Dot energy{};  ///< residual . residual / diagonal
     Dot size{};    ///< |residual / mass|^2
+    Dot residual{};
     double largest() const { return std::max({size[0], size[1], size[2]}); }
   };
 
@@ -97,6 +101,7 @@ class ViscousSolver {
       for (int c = 0; c < 3; ++c) {
         total.energy[c] += sums.energy[c];
         total.size[c] += sums.size[c];
+        total.residual[c] += sums.residual[c];
       }
     }
     return total;
@@ -111,6 +116,7 @@ class ViscousSolver {
     for (int c = 0; c < 3; ++c) {
       sums.energy[c] += component[c] * component[c] * inverse;
       sums.size[c] += component[c] * component[c] * per_mass * per_mass;
+      sums.residual[c] += component[c];
     }
   }
 

@@ -55,6 +55,7 @@ struct NumericsCase {
   double sleep_speed = 0.005;
   double sleep_time = 0.5;
   double crowding_tolerance = 0.03;
+  double particle_shifting = 0;
   double gravity = 9.81;
 
   template <class V>
@@ -162,6 +163,13 @@ struct NumericsCase {
           .above(0)
           .at_most(1),
       crowding_tolerance);
+    v(Key{"particle_shifting", "",
+          "fast: inside of the flow particles are shifted to more even places, by this times h^2, "
+          "the shear strain of the step and the gradient of the filling of their kernel; 0: not; "
+          "for vortices of a thin fluid 20"}
+          .at_least(0)
+          .at_most(1000),
+      particle_shifting);
     v(Key{"gravity", "m/s2", "acceleration of gravity, downwards"}.at_least(0).at_most(1000),
       gravity);
   }

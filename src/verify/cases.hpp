@@ -17,5 +17,7 @@ Verdict verify_runout(const VerifySettings& settings);
 Verdict verify_jet(const VerifySettings& settings);
 Verdict verify_column_force(const VerifySettings& settings);
 Verdict verify_spheric2(const VerifySettings& settings);
+Verdict verify_taylor_green(const VerifySettings& settings);
+Verdict verify_drops(const VerifySettings& settings);
 
 }  // namespace sabo

@@ -59,6 +59,11 @@ const std::vector<Verification>& verifications() {
       {"spheric2", "Dam break on a box (SPHERIC test 2)",
        "experiment of MARIN, Kleefsman et al., J. Comput. Phys. 206 (2005); SPHERIC release", both,
        verify_spheric2},
+      {"taylor-green", "Vortices in a periodic box decay by viscosity",
+       "exact solution of Taylor and Green (1937)", both, verify_taylor_green},
+      {"drops", "A drop drawn out by a strain flow, and one that oscillates in a central force",
+       "ordinary differential equations of Monaghan (1994) and Monaghan & Rafiee (2013)", both,
+       verify_drops},
   };
   return list;
 }

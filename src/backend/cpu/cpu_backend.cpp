@@ -67,6 +67,9 @@ void CpuBackend::set_scale() {
     scale_.inverse_period[axis] =
         model_.periodic.on(axis) ? float(1 / Periodic::along(p, axis)) : 0.0f;
   }
+  const Vec3d origin = model_.central.origin - centre_;
+  scale_.central = float(model_.central.strength);
+  scale_.central_origin = {float(origin.x), float(origin.y), float(origin.z)};
   const auto kernel = model_.kernel<float>();
   scale_.h = kernel.h;
   scale_.kernel_alpha = kernel.alpha;
@@ -81,9 +84,11 @@ void CpuBackend::set_scale() {
 /// What depends on the sound speed, which may change from step to step.
 void CpuBackend::set_sound_terms() {
   const double c0 = model_.state.c0;
-  const Vec3d background = model_.diffusion_background();
+  const Vec3d background = model_.diffusion_background(model_.central.origin);
   scale_.two_zeta_h_c0 = float(2 * model_.density_diffusion * model_.h * c0);
   scale_.hydrostatic = {float(background.x), float(background.y), float(background.z)};
+  if (model_.diffusion_form == DiffusionForm::fourtakas)
+    scale_.hydrostatic_slope = float(model_.central.strength / (c0 * c0));
   scale_.alpha_c0_h = float(model_.artificial_viscosity * c0 * model_.h);
 }
 
@@ -173,6 +178,7 @@ void CpuBackend::momentum() {
     });
   }
   load_bodies_by_stress();
+  add_central_force();
 }
 
 }  // namespace sabo

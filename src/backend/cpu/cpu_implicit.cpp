@@ -99,6 +99,7 @@ void CpuBackend::near_forces() {
     });
   }
   load_bodies_by_pressure();
+  add_central_force();
 }
 
 ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {

@@ -53,12 +53,12 @@ void ReferenceBackend::fluid_near(std::size_t i, std::vector<std::uint32_t>& nea
 
 void ReferenceBackend::strain_and_density_rates() {
   const std::size_t fluids = fluid_.size();
-  const DensityDiffusion<double> diffusion{
-      2 * model_.density_diffusion * model_.h * model_.state.c0, model_.eta2(),
-      model_.diffusion_background()};
+  DensityDiffusion<double> diffusion{
+      2 * model_.density_diffusion * model_.h * model_.state.c0, model_.eta2(), {}};
   const double rho0 = model_.state.rho0;
   for (std::size_t i = 0; i < fluids + boundary_.size(); ++i) {
     const bool is_fluid = i < fluids;
+    diffusion.hydrostatic = model_.diffusion_background(position(i));
     Sym3<double> eps{};
     double rate = 0;
     for_each_neighbour(i, !is_fluid, [&](std::size_t j, const PairGeometry<double>& pair) {
@@ -80,7 +80,7 @@ void ReferenceBackend::momentum() {
   const bool morris = model_.viscous_operator == ViscousOperator::morris;
   const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
   for (std::size_t i = 0; i < fluids; ++i) {
-    Vec3d a = model_.gravity;
+    Vec3d a = model_.body_force(position(i));
     double power = 0;
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);

@@ -21,7 +21,7 @@ void ReferenceBackend::near_forces() {
   const double rho0 = model_.state.rho0;
   const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
   for (const std::uint32_t i : awake_) {
-    Vec3d a = model_.gravity;
+    Vec3d a = model_.body_force(position(i));
     double conductance = 0;
     Filling filling{kernel.value(0) * mass(i) / rho0, {}};
     WallShare wall;
@@ -85,8 +85,8 @@ void ReferenceBackend::near_motion() {
   const std::size_t fluids = fluid_.size();
   load_bodies_by_friction();
   find_diffusion_background();
-  DensityDiffusion<double> diffusion{2 * model_.density_diffusion * model_.h * model_.state.c0,
-                                     model_.eta2(), model_.diffusion_background()};
+  DensityDiffusion<double> diffusion{
+      2 * model_.density_diffusion * model_.h * model_.state.c0, model_.eta2(), {}};
   const double rho0 = model_.state.rho0;
   for (const std::uint32_t i : awake_) {
     Sym3<double> eps{};

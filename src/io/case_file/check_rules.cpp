@@ -247,9 +247,14 @@ void check_wall(const NumericsCase& numerics, Faults& faults) {
   }
 }
 
-/// Switches of the paper's sums would do nothing with the fast method.
+/// Switches of one method would do nothing with the other.
 void check_switches(const NumericsCase& numerics, Faults& faults) {
-  if (numerics.method == Method::paper) return;
+  if (numerics.method == Method::paper) {
+    if (numerics.particle_shifting > 0)
+      faults.add("numerics.particle_shifting", "applies to method \"fast\" only",
+                 "remove it, or choose method = \"fast\"");
+    return;
+  }
   const NumericsCase plain;
   const struct {
     const char* key;

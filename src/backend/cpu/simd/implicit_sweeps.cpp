@@ -30,11 +30,12 @@ HWY_INLINE Columns motion_records(const MotionRecord* records, const std::uint32
 template <bool periodic>
 void wall_pressure_range(const WallPressureTask& task) {
   const Constants s(*task.scale);
-  const Vec gravity{Lanes(task.gravity.x), Lanes(task.gravity.y), Lanes(task.gravity.z)};
   for (std::size_t place = task.first; place < task.last; ++place) {
     const std::size_t i = task.rows[place];
     const PairList::Row row = task.list->row(i);
     const FlowRecord& me = task.records[i];
+    const Vec3f from = from_origin(*task.scale, me.x, me.y, me.z);
+    const Vec gravity = in_lanes(task.gravity - task.scale->central * from);
     Lanes weight, pressure;
     for (const std::uint32_t* k = row.fluid; k != row.boundary; k += Lanes::count) {
       const Columns j = flow_records(task.records, k);

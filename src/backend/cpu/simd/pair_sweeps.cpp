@@ -30,6 +30,10 @@ HWY_INLINE void add_motion(const Constants& s, const MotionTask& task, std::size
   const std::int32_t place[3] = {me.x, me.y, me.z};
   const Vec velocity{Lanes(me.vx), Lanes(me.vy), Lanes(me.vz)};
   const Lanes excess(me.excess), wall_factor(wall);
+  DensityDiffusion<Lanes> diffusion = s.diffusion;
+  if constexpr (diffusive)
+    diffusion.hydrostatic -=
+        in_lanes(task.scale->hydrostatic_slope * from_origin(*task.scale, me.x, me.y, me.z));
   const float* records = reinterpret_cast<const float*>(task.records);
   for (const std::uint32_t* k = begin; k != end; k += Lanes::count) {
     const Columns j = load_transposed(records, 8, 0, k);
@@ -38,7 +42,7 @@ HWY_INLINE void add_motion(const Constants& s, const MotionTask& task, std::size
     const Lanes excess_j = j[6], volume_j = j[7];
     const Lanes mass_j = volume_j * (s.rho0 + s.rho0 * excess_j);
     sums.rate += continuity(pair, v, mass_j);
-    if constexpr (diffusive) sums.rate += s.diffusion(pair, excess, excess_j, mass_j);
+    if constexpr (diffusive) sums.rate += diffusion(pair, excess, excess_j, mass_j);
     sums.eps += strain_rate(pair, wall_factor * v, volume_j);
   }
 }
