@@ -19,5 +19,6 @@ Verdict verify_column_force(const VerifySettings& settings);
 Verdict verify_spheric2(const VerifySettings& settings);
 Verdict verify_taylor_green(const VerifySettings& settings);
 Verdict verify_drops(const VerifySettings& settings);
+Verdict verify_dam_break(const VerifySettings& settings);
 
 }  // namespace sabo

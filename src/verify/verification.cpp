@@ -64,6 +64,8 @@ const std::vector<Verification>& verifications() {
       {"drops", "A drop drawn out by a strain flow, and one that oscillates in a central force",
        "ordinary differential equations of Monaghan (1994) and Monaghan & Rafiee (2013)", both,
        verify_drops},
+      {"dam-break", "A column of water collapses onto a dry floor",
+       "Martin & Moyce (1952), Tables 2 and 6, n^2 = 2, a = 2.25 in", both, verify_dam_break},
   };
   return list;
 }

@@ -127,6 +127,10 @@ TEST(Backends, AgreeForEveryOtherSwitch) {
   for (const Switches& switches : {plain, plain_morris, printed, printed_morris, flat})
     for (const Cloud cloud : {Cloud::free, Cloud::periodic})
       expect_every_instruction_set_agrees(model_of(switches), cloud);
+  FlowModel central = model_of({});
+  central.central = {30, {0.2, 0.5, -0.4}};
+  for (const Cloud cloud : {Cloud::free, Cloud::far})
+    expect_every_instruction_set_agrees(central, cloud);
 }
 
 TEST(CpuBackend, GivesTheSameBitsForAnyNumberOfThreads) {

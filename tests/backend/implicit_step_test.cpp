@@ -153,8 +153,10 @@ TEST(ImplicitStep, KeepsMomentumWithoutWalls) {
     const double scale = std::sqrt(2 * kinetic_energy_of(backend->fluid()) *
                                    static_cast<double>(backend->fluid().size()));
     const Vec3d before = momentum_of(backend->fluid());
-    ASSERT_TRUE(backend->advance_velocity(0.01, 1e-7, 500).converged);
-    const double tolerance = kind == BackendKind::reference ? 1e-6 : 1e-5;
+    // Whatever the solve leaves undone: speeds are about 1 m/s.
+    const ViscousSolve solve = backend->advance_velocity(0.01, 1e-3, 500);
+    ASSERT_TRUE(solve.converged && solve.iterations > 0);
+    const double tolerance = kind == BackendKind::reference ? 1e-14 : 1e-8;
     EXPECT_LT(norm(momentum_of(backend->fluid()) - before), tolerance * scale);
   }
 }
@@ -199,6 +201,20 @@ std::vector<double> dense_step(const Opened& backend, const Particles& fluid, do
     }
   }
   return solved(matrix, right);
+}
+
+// A block slides along a bed without pressure or viscosity: nothing may hold it back.
+TEST(ArtificialViscosity, IsNoFrictionAtWalls) {
+  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+    FlowModel model = viscous(0);
+    model.artificial_viscosity = 0.05;
+    auto backend = make_backend(kind, model);
+    test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 3});
+    test::add_block(backend->boundary(), model, {-4, 8, -4, 8, -3, 0});
+    for (Vec3d& v : backend->fluid().velocity) v = {2, 0, 0};
+    prepare(*backend);
+    for (const Vec3d& a : backend->accelerations()) EXPECT_LT(norm(a), 1e-9);
+  }
 }
 
 TEST(ImplicitStep, EqualsADenseSolve) {

@@ -165,7 +165,7 @@ INSTANTIATE_TEST_SUITE_P(PlacesAndWalls, ImplicitSweeps,
                                           testing::Values(WallShear{NoSlip{}},
                                                           WallShear{Voellmy{{5, 0.2}, 300}})));
 
-TEST(ImplicitSweeps, AgreeWithArtificialViscosityAndMovingWalls) {
+TEST(ImplicitSweeps, AgreeForEveryOtherSwitch) {
   FlowModel artificial = model_of(3, NoSlip{});
   artificial.artificial_viscosity = 0.05;
   FlowModel moving = model_of(3, NoSlip{});
@@ -173,7 +173,11 @@ TEST(ImplicitSweeps, AgreeWithArtificialViscosityAndMovingWalls) {
   FlowModel printed = model_of(3, NoSlip{});
   printed.as_printed = true;
   printed.diffusion_form = DiffusionForm::molteni;
-  for (const FlowModel& model : {artificial, moving, printed})
+  FlowModel shifted = model_of(3, NoSlip{});
+  shifted.particle_shifting = 20;
+  FlowModel central = model_of(3, NoSlip{});
+  central.central = {30, {0.2, 0.5, -0.4}};
+  for (const FlowModel& model : {artificial, moving, printed, shifted, central})
     expect_every_instruction_set_agrees(model, Cloud::free);
 }
 

@@ -28,13 +28,14 @@ void ReferenceBackend::near_forces() {
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       a += pressure_force(pair, pressure_of(i) / (rho0 * rho0), pressure_of(j) / (rho0 * rho0),
                           mass(j));
-      const double mean_density = 0.5 * (density(i) + density(j));
-      a += artificial_force(pair, velocity(i) - velocity(j), alpha_c0_h, mass(j) / mean_density,
-                            model_.eta2());
       const double volume = mass(j) / rho0;
       filling.share += volume * kernel.value(std::sqrt(pair.r2));
       filling.gradient += (volume * pair.gradient) * pair.x;
       if (j < fluids) {
+        // Not at walls, whose shear is that of their law.
+        const double mean_density = 0.5 * (density(i) + density(j));
+        a += artificial_force(pair, velocity(i) - velocity(j), alpha_c0_h, mass(j) / mean_density,
+                              model_.eta2());
         const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
         conductance +=
             viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0, volume);

@@ -97,7 +97,6 @@ HWY_INLINE void add_wall_forces(const Constants& s, const NearForceTask& task, s
   const hn::RebindToUnsigned<Lanes::Tag> indices;
   const FlowRecord& me = task.records[i];
   const Lanes pressure(me.pressure);
-  const Lanes density(me.density);
   for (const std::uint32_t* k = row.boundary; k != row.end; k += Lanes::count) {
     const Columns j = flow_records(task.records, k);
     const auto pair = pair_geometry(separation_from<periodic>(s, me, j), s.kernel);
@@ -107,12 +106,7 @@ HWY_INLINE void add_wall_forces(const Constants& s, const NearForceTask& task, s
     sums.gradient += (j[5] * pair.gradient) * pair.x;
     if constexpr (with_motion) {
       const Columns m = motion_records(task.motion, k);
-      const MotionRecord& mine = task.motion[i];
-      const Vec wall{m[3], m[4], m[5]};
-      sums.wall_velocity += part * wall;
-      const Vec v = Vec{Lanes(mine.vx), Lanes(mine.vy), Lanes(mine.vz)} - wall;
-      sums.acceleration +=
-          artificial_force(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
+      sums.wall_velocity += part * Vec{m[3], m[4], m[5]};
     }
     const Picked near(hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag())));
     near.store(indices, hn::LoadU(indices, k), task.near->index());
