@@ -7,6 +7,7 @@ namespace sabo {
 Columns::Columns(const Raster& elevation, double spacing, double reference_density)
     : spreader_(elevation, spacing),
       reference_density_(reference_density),
+      wet_depth_(wet_depth(spacing)),
       volume_(elevation.values.size()),
       transport_(elevation.values.size()),
       pressure_(elevation.values.size()) {}

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -9,16 +10,16 @@
 
 namespace sabo {
 
+/// Depth above which a cell counts as wet, m: speed and pressure mean nothing where the edge of a
+/// footprint leaves a film. Half a spacing (m) in flows finer than those on a map.
+inline double wet_depth(double spacing) { return std::min(0.05, spacing / 2); }
+
 /// What stands over each cell of the DEM at one moment. Depth is vertical: the volume over a cell
 /// (mass / reference density, see Spreader) by its area, so that the sum of depth x area is the
 /// particles' volume to rounding. An update costs as much as the particles and their footprints,
 /// whatever the grid.
 class Columns {
  public:
-  /// Depth above which a cell counts as wet, m: speed and pressure mean nothing where the edge of a
-  /// footprint leaves a film.
-  static constexpr double wet_depth = 0.05;
-
   /// Cells where `elevation` is NaN are outside the domain. `spacing` in m, density in kg/m3.
   Columns(const Raster& elevation, double spacing, double reference_density);
 
@@ -28,7 +29,9 @@ class Columns {
   /// Cells that hold volume, each once.
   const std::vector<std::size_t>& touched() const { return touched_; }
   double depth(std::size_t cell) const { return volume_[cell] / spreader_.grid().cell_area(); }
-  bool is_wet(std::size_t cell) const { return depth(cell) > wet_depth; }
+  /// Above which a cell is wet, m.
+  double threshold() const { return wet_depth_; }
+  bool is_wet(std::size_t cell) const { return depth(cell) > wet_depth_; }
   /// Mean by mass, m/s; of a touched cell only.
   double speed(std::size_t cell) const { return transport_[cell] / volume_[cell]; }
   /// Greatest in the column, Pa, not negative.
@@ -48,6 +51,7 @@ class Columns {
 
   Spreader spreader_;
   double reference_density_;
+  double wet_depth_;
   std::vector<double> volume_;     // m3
   std::vector<double> transport_;  // volume x speed, m4/s
   std::vector<double> pressure_;   // Pa

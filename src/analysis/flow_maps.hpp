@@ -6,12 +6,9 @@
 
 namespace sabo {
 
-/// Maps of a run on the grid of the DEM.
+/// Maps of a run on the grid of the DEM. A cell counts as wet above wet_depth().
 class FlowMaps {
  public:
-  /// Above this a cell counts as wet, m: for arrival, speed and pressure.
-  static constexpr double wet_depth = Columns::wet_depth;
-
   /// Cells where `elevation` is NaN are outside the domain. `spacing` in m, density in kg/m3.
   FlowMaps(const Raster& elevation, double spacing, double reference_density);
 

@@ -3,14 +3,14 @@
 #include <algorithm>
 #include <vector>
 
-#include "analysis/flow_maps.hpp"
+#include "analysis/columns.hpp"
 
 namespace sabo {
 
 ResolutionGuard resolution_guard(const Raster& peak_depth, double spacing) {
   std::vector<double> layers;
   for (const double depth : peak_depth.values) {
-    if (depth > FlowMaps::wet_depth) layers.push_back(depth / spacing);
+    if (depth > wet_depth(spacing)) layers.push_back(depth / spacing);
   }
   if (layers.empty()) return {};
 
@@ -32,7 +32,7 @@ Raster layers_map(const Raster& peak_depth, double spacing) {
   Raster layers(peak_depth.grid, Raster::no_data);
   for (std::size_t cell = 0; cell < layers.values.size(); ++cell) {
     const double depth = peak_depth.values[cell];
-    if (depth > FlowMaps::wet_depth) layers.values[cell] = depth / spacing;
+    if (depth > wet_depth(spacing)) layers.values[cell] = depth / spacing;
   }
   return layers;
 }

@@ -21,7 +21,7 @@ struct ResolutionGuard {
 };
 
 /// From a map of peak depth (m; NaN outside the domain) and the particle spacing (m). A cell is wet
-/// from FlowMaps::wet_depth on.
+/// above wet_depth().
 ResolutionGuard resolution_guard(const Raster& peak_depth, double spacing);
 
 /// Peak depth over spacing, particles; NaN where the ground was never wet and outside the domain.

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "analysis/columns.hpp"
 #include "terrain/cells_within.hpp"
 
 namespace sabo {
@@ -13,10 +12,10 @@ Zone::Zone(const Raster& elevation, const std::vector<Polygon>& polygons)
   std::erase_if(cells_, [&](std::size_t cell) { return std::isnan(elevation.values[cell]); });
 }
 
-void Zone::add(double depth, ZoneDepth& zone) const {
+void Zone::add(double depth, double wet, ZoneDepth& zone) const {
   zone.volume += depth * cell_area_;
   zone.greatest = std::max(zone.greatest, depth);
-  if (!(depth > Columns::wet_depth)) return;
+  if (!(depth > wet)) return;
   zone.wet_area += cell_area_;
   zone.mean_wet += depth * cell_area_;  // a volume until finish()
 }

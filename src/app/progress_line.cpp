@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "run/amount_text.hpp"
+
 namespace sabo {
 namespace {
 
@@ -26,9 +28,10 @@ std::string clock_text(double seconds) {
 }
 
 std::string volumes_text(const VolumeRow& v, bool has_dam) {
-  std::string text = has_dam ? fmt::format("trapped {:.0f} beyond {:.0f}", v.trapped, v.beyond)
-                             : fmt::format("on the map {:.0f}", v.trapped + v.beyond);
-  if (v.outflow > 0) text += fmt::format(" left {:.0f}", v.outflow);
+  std::string text =
+      has_dam ? fmt::format("trapped {} beyond {}", amount_text(v.trapped), amount_text(v.beyond))
+              : "on the map " + amount_text(v.trapped + v.beyond);
+  if (v.outflow > 0) text += " left " + amount_text(v.outflow);
   return text + " m3";
 }
 
@@ -38,7 +41,7 @@ std::vector<std::string> parts_of(const RunProgress& p, const Pace& pace, bool h
   return {fmt::format("{:3.0f} %", std::floor(100 * share_done(p))),
           fmt::format("{:.1f}/{:g} s", p.time, p.duration),
           left ? clock_text(*left) + " left" : "-:-- left",
-          fmt::format("front {:.0f} m {:.1f} m/s", p.front.position, p.front.velocity),
+          fmt::format("front {} m {:.1f} m/s", amount_text(p.front.position), p.front.velocity),
           fmt::format("fastest {:.1f} m/s", p.fastest),
           volumes_text(p.volumes, has_dam),
           fmt::format("{:.0f} steps/s", pace.steps_per_second()),

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/describe.hpp"
+#include "case/body_case.hpp"
 #include "case/material_case.hpp"
 #include "case/measure_case.hpp"
 #include "case/numerics_case.hpp"
@@ -26,6 +27,7 @@ struct Case {
   ReleaseCase release;
   MaterialCase material;
   std::vector<StructureCase> structures;
+  std::vector<BodyCase> bodies;
   std::vector<SectionCase> sections;
   std::vector<ZoneCase> zones;
   PathCase path;
@@ -44,6 +46,7 @@ struct Case {
     v.table("release", "the mass that starts to move", release);
     v.table("material", "its density and law of flow", material);
     v.tables("structure", "works in the way", structures);
+    v.tables("body", "solids that stand in the flow or hold it: boxes, tanks, meshes", bodies);
     v.tables("section", "lines that measure discharge", sections);
     v.tables("zone", "areas whose depth is measured", zones);
     v.table("path", "the line along which the front is measured", path);

@@ -16,6 +16,7 @@ struct ReleaseCase {
   std::filesystem::path points;
   std::array<double, 3> points_offset{0, 0, 0};
   double point_volume = 1;
+  std::optional<std::array<double, 6>> box;
   std::filesystem::path dem_before;
   std::filesystem::path dem_after;
   double least_thickness = 0;
@@ -38,6 +39,13 @@ struct ReleaseCase {
     v(Key{"points_offset", "m", "added to the points"}.at_least(-1e8).at_most(1e8), points_offset);
     v(Key{"point_volume", "m3", "volume each point stands for"}.above(0).at_most(1e9),
       point_volume);
+    v(Key{"box", "m",
+          "[x0, y0, z0, x1, y1, z1]: all of this box that is above the ground and outside of "
+          "bodies, "
+          "with a level surface"}
+          .at_least(-1e8)
+          .at_most(1e8),
+      box);
     v(Key{"dem_before", "m",
           "surface before the event; what lies between it and dem_after is released, and the "
           "ground there is lowered to dem_after; both in the CRS of the DEM"},

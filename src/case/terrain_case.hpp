@@ -43,8 +43,32 @@ struct TerrainEditCase {
   }
 };
 
+/// A terrain that is one level or tilted plane.
+struct PlaneCase {
+  std::array<double, 4> extent{};
+  double elevation = 0;
+  double slope = 0;
+  double direction = 90;
+  std::optional<double> cell_size;
+
+  template <class V>
+  void describe(V&& v) {
+    v(Key{"extent", "m", "[west, south, east, north]"}.at_least(-1e8).at_most(1e8).required(),
+      extent);
+    v(Key{"elevation", "m", "of its lowest corner"}.at_least(-1e4).at_most(1e4), elevation);
+    v(Key{"slope", "deg", "to the horizontal"}.at_least(0).at_most(60), slope);
+    v(Key{"direction", "deg", "to which it falls, clockwise from north; 90 is along x"}
+          .at_least(-360)
+          .at_most(360),
+      direction);
+    v(Key{"cell_size", "m", "of the maps; default: two spacings"}.at_least(1e-4).at_most(1e4),
+      cell_size);
+  }
+};
+
 struct TerrainCase {
   std::filesystem::path dem;
+  std::optional<PlaneCase> plane;
   bool assume_metres = false;
   std::string crs;
   std::optional<double> cell_size;
@@ -56,9 +80,10 @@ struct TerrainCase {
   void describe(V&& v) {
     v(Key{"dem", "",
           "elevation raster in any format of GDAL; or a GSI base map DEM (FG-GML): an .xml file, a "
-          "folder or a .zip of them"}
-          .required(),
+          "folder or a .zip of them"},
       dem);
+    v(Key{"plane", "", "in place of a DEM: a level or tilted plane, in metres without a CRS"},
+      plane);
     v(Key{"assume_metres", "", "take a raster without a CRS as metres"}, assume_metres);
     v(Key{"crs", "",
           "projected CRS in metres that the DEM is brought to, e.g. EPSG:6670; default: its own, "

@@ -22,7 +22,7 @@ std::unique_ptr<Backend> loaded_backend(const Case& c, const Particles& fluid,
 
 Flow::Flow(const Case& c, const Scene& scene, const Particles& fluid)
     : model_(flow_model(c.material, c.numerics, scene.release_depth)),
-      ground_(*scene.surface, scene.dams, ground_settings(model_)),
+      ground_(*scene.surface, scene.dams, ground_settings(model_), scene.bodies),
       domain_(ground_),
       backend_(loaded_backend(c, fluid, model_)),
       stepper_(make_stepper(c.numerics, *backend_, &domain_)) {}

@@ -25,6 +25,19 @@ Frames::Frames(const Scene& scene, const RunFolder& folder)
       origin_{scene.frame.origin_x, scene.frame.origin_y, 0},
       list_(folder.frames() / "flow.pvd") {
   write_surface_vtp(folder_ / "ground.vtp", scene.surface->elevation(), origin_);
+  if (!scene.bodies.empty()) write_bodies(scene);
+}
+
+/// The numbers are those of the boundary particles.
+void Frames::write_bodies(const Scene& scene) const {
+  TriangleMesh all;
+  std::vector<float> numbers;
+  auto number = static_cast<float>(scene.dams.size());
+  for (const Body& body : scene.bodies) {
+    append(all, body.mesh());
+    numbers.resize(all.vertices.size(), ++number);
+  }
+  write_mesh_vtp(folder_ / "bodies.vtp", all, numbers, origin_);
 }
 
 void Frames::write(double time, const Particles& fluid) {

@@ -11,15 +11,18 @@
 
 namespace sabo {
 
-/// Writes the frames of a run for ParaView: one .vtp per time, listed in flow.pvd, and the ground.
+/// Writes the frames of a run for ParaView: one .vtp per time, listed in flow.pvd, the ground and
+/// the bodies.
 class Frames {
  public:
-  /// Writes ground.vtp.
+  /// Writes ground.vtp and, if there are bodies, bodies.vtp.
   Frames(const Scene& scene, const RunFolder& folder);
 
   void write(double time, const Particles& fluid);
 
  private:
+  void write_bodies(const Scene& scene) const;
+
   std::filesystem::path folder_;
   Vec3d origin_;
   PvdWriter list_;

@@ -29,11 +29,11 @@ std::string name_of_section(const std::string& name, const Scene& scene) {
   return is_taken ? "section " + name : name;
 }
 
-void add_deposit(const Raster& depth, std::vector<KeyQuantity>& list) {
+void add_deposit(const Raster& depth, double wet, std::vector<KeyQuantity>& list) {
   double cells = 0;
   double sum = 0;
   for (const double value : depth.values) {
-    if (!(value > FlowMaps::wet_depth)) continue;
+    if (!(value > wet)) continue;
     cells += 1;
     sum += value;
   }
@@ -67,7 +67,7 @@ std::vector<KeyQuantity> key_quantities(const RunMaps& maps, const std::vector<S
                     })});
   }
   list.push_back({"left the map", "m3", last.volumes.front().outflow});
-  add_deposit(maps.deposit, list);
+  add_deposit(maps.deposit, maps.wet_depth, list);
   return list;
 }
 

@@ -11,6 +11,7 @@
 #include "io/case_file/write_case.hpp"
 #include "io/output/checksum.hpp"
 #include "io/output/file.hpp"
+#include "run/amount_text.hpp"
 #include "run/input_files.hpp"
 #include "run/rest_text.hpp"
 #include "run/tables.hpp"
@@ -24,10 +25,10 @@ const char* verb_of(RunEnd end) {
 }
 
 std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
-  std::string text = fmt::format("released = {:.3f}\noutflow = {:.3f}\nput_back = {}\n",
+  std::string text = fmt::format("released = {:.9g}\noutflow = {:.9g}\nput_back = {}\n",
                                  row.released, row.outflow, row.put_back);
   if (dam < scene.dams.size())
-    text += fmt::format("dam = {}\ntrapped = {:.3f}\nbeyond = {:.3f}\n",
+    text += fmt::format("dam = {}\ntrapped = {:.9g}\nbeyond = {:.9g}\n",
                         toml_string(scene.dams[dam].name), row.trapped, row.beyond);
   return text;
 }
@@ -153,9 +154,9 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   if (!c.note.empty()) lines.push_back("Note: " + c.note);
   for (const PageTable& table : result_tables(c, scene, rows))
     for (const std::string& line : text_of(table)) lines.push_back(line);
-  lines.push_back(fmt::format(
-      "Map volume {:.1f} m3, particle volume {:.1f} m3, difference {:.4f} %", facts.raster_volume,
-      facts.particle_volume, percent(facts.raster_volume, facts.particle_volume)));
+  lines.push_back(fmt::format("Map volume {} m3, particle volume {} m3, difference {:.4f} %",
+                              amount_text(facts.raster_volume), amount_text(facts.particle_volume),
+                              percent(facts.raster_volume, facts.particle_volume)));
   if (!rows.empty()) {
     const EnergyBalance energy = balance_of(rows);
     lines.push_back(
@@ -213,8 +214,9 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"Fastest particle",
        fmt::format("{:.1f} m/s (Mach number at most {:.2f})", facts.top_speed, facts.top_mach)},
       {"Resolution", resolution_text(facts.resolution)},
-      {"Map volume", fmt::format("{:.1f} m3, {:+.4f} % of the particles'", facts.raster_volume,
-                                 percent(facts.raster_volume, facts.particle_volume))}};
+      {"Map volume",
+       fmt::format("{} m3, {:+.4f} % of the particles'", amount_text(facts.raster_volume),
+                   percent(facts.raster_volume, facts.particle_volume))}};
   if (!facts.motion.is_at_rest)
     page.facts.insert(page.facts.begin() + 1, {"Not at rest", motion_text(facts.motion, c.run)});
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
@@ -240,6 +242,7 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"series/solver.csv", "time step, speeds, density range, particle counts"},
       {"frames/flow.pvd", "particles as a time series for ParaView"},
       {"frames/ground.vtp", "the ground for ParaView"}};
+  if (!c.bodies.empty()) page.files.push_back({"frames/bodies.vtp", "the bodies for ParaView"});
   if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
   return page;
 }

@@ -122,12 +122,23 @@ void write_valley_from_dem(const fs::path& folder) {
   write_file_atomically(folder / "case.toml", valley_from_dem_text());
 }
 
+void write_dam_break(const fs::path& folder) {
+  write_file_atomically(folder / "case.toml", dam_break_text());
+}
+
+void write_flume(const fs::path& folder) {
+  write_file_atomically(folder / "walls.obj", flume_walls_text());
+  write_file_atomically(folder / "case.toml", flume_text());
+}
+
 struct Writer {
   std::string_view name;
   void (*write)(const fs::path& folder);
 };
-constexpr std::array<Writer, templates.size()> writers{
-    {{"yohutagawa", write_yohutagawa}, {"valley-from-dem", write_valley_from_dem}}};
+constexpr std::array<Writer, templates.size()> writers{{{"yohutagawa", write_yohutagawa},
+                                                        {"valley-from-dem", write_valley_from_dem},
+                                                        {"dam-break", write_dam_break},
+                                                        {"flume", write_flume}}};
 
 const Writer& writer_of(const std::string& name) {
   std::vector<std::string> names;

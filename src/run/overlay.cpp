@@ -1,5 +1,7 @@
 #include "run/overlay.hpp"
 
+#include "geometry/plan_outline.hpp"
+
 namespace sabo {
 
 void add_outlines(MapLine::Kind kind, const std::string& label,
@@ -21,6 +23,8 @@ std::vector<MapLine> overlay(const Scene& scene) {
   for (const NamedZone& zone : scene.zones)
     add_outlines(MapLine::Kind::zone, zone.name, zone.polygons, lines);
   for (const CheckDam& dam : scene.dams) lines.push_back({MapLine::Kind::dam, dam.name, dam.axis});
+  for (const Body& body : scene.bodies)
+    add_outlines(MapLine::Kind::dam, body.name(), {{{plan_outline(body.mesh())}}}, lines);
   for (const NamedSection& section : scene.sections)
     lines.push_back({MapLine::Kind::section, section.name, section.line});
   return lines;

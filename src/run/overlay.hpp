@@ -7,7 +7,7 @@
 
 namespace sabo {
 
-/// Path, zones, dams and sections of a scene as lines over a map, in the solver frame.
+/// Path, zones, dams, bodies and sections of a scene as lines over a map, in the solver frame.
 std::vector<MapLine> overlay(const Scene& scene);
 
 /// Appends the outlines of polygons; the label stands at the first.

@@ -70,7 +70,7 @@ void draw_resolution(const RunMaps& maps, const Case& c, const Scene& scene, Alb
       fmt::format("Resolution: under {0:g} particles too coarse, {0:g} to {1:g} barely enough",
                   ResolutionGuard::enough_layers, ResolutionGuard::good_layers),
       c.note, "particles in the greatest depth"};
-  map.view = view_around(maps.peak_depth, FlowMaps::wet_depth);
+  map.view = view_around(maps.peak_depth, maps.wet_depth);
   map.lines = overlay(scene);
   map.steps = resolution_steps();
   album.add("resolution.svg", map_svg(map, scene.surface->elevation(), maps.layers),
@@ -81,7 +81,7 @@ void draw_resolution(const RunMaps& maps, const Case& c, const Scene& scene, Alb
 
 void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& album) {
   const Raster& ground = scene.surface->elevation();
-  const MapView view = view_around(maps.peak_depth, FlowMaps::wet_depth);
+  const MapView view = view_around(maps.peak_depth, maps.wet_depth);
   const auto draw = [&](const char* file, const char* title, const char* quantity,
                         const Raster& values, double threshold, const char* caption) {
     MapPicture map{title, c.note, quantity, threshold};
@@ -89,9 +89,9 @@ void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& al
     map.lines = overlay(scene);
     album.add(file, map_svg(map, ground, values), caption, true);
   };
-  draw("deposit.svg", "Depth at the end of the run", "depth [m]", maps.deposit, FlowMaps::wet_depth,
+  draw("deposit.svg", "Depth at the end of the run", "depth [m]", maps.deposit, maps.wet_depth,
        "Depth at the end of the run (maps/dep.tif)");
-  draw("peak_depth.svg", "Greatest depth", "depth [m]", maps.peak_depth, FlowMaps::wet_depth,
+  draw("peak_depth.svg", "Greatest depth", "depth [m]", maps.peak_depth, maps.wet_depth,
        "Greatest depth of the flow (maps/pfd.tif)");
   draw("peak_speed.svg", "Greatest speed", "speed [m/s]", maps.peak_speed, 0.01,
        "Greatest speed of the flow (maps/pfv.tif)");
@@ -140,7 +140,7 @@ void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& 
 }  // namespace
 
 void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const RunFolder& folder) {
-  const auto write = [&](const char* file, const Raster& raster, const char* what,
+  const auto write = [&](const char* file, const Raster& raster, const std::string& what,
                          const char* unit) {
     RasterInfo info{scene.frame.crs, what, unit};
     if (!c.note.empty()) info.metadata["note"] = c.note;
@@ -150,18 +150,20 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
   write("pfd.tif", maps.peak_depth, "greatest vertical depth", "m");
   write("pfv.tif", maps.peak_speed, "greatest mass-weighted mean speed of the column", "m/s");
   write("ppr.tif", in_kilopascal(maps.peak_pressure),
-        "greatest pressure of a particle in the column, where the flow is deeper than 0.05 m",
+        fmt::format("greatest pressure of a particle in the column, where the flow is deeper than "
+                    "{:g} m",
+                    maps.wet_depth),
         "kPa");
   write("ground.tif", scene.surface->elevation(), "elevation of the ground as the run used it",
         "m");
   write(
       "res.tif", maps.layers,
       fmt::format("greatest vertical depth over the particle spacing of {:g} m, where the flow is "
-                  "deeper than 0.05 m",
-                  c.numerics.spacing)
-          .c_str(),
+                  "deeper than {:g} m",
+                  c.numerics.spacing, maps.wet_depth),
       "particles");
-  write("tarr.tif", maps.arrival, "first time with a depth above 0.05 m", "s");
+  write("tarr.tif", maps.arrival,
+        fmt::format("first time with a depth above {:g} m", maps.wet_depth), "s");
 }
 
 std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<SeriesRow>& rows,

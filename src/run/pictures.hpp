@@ -10,12 +10,13 @@ namespace sabo {
 
 /// The maps of a run, in the solver frame.
 struct RunMaps {
-  Raster deposit;        ///< dep, m
-  Raster peak_depth;     ///< pfd, m
-  Raster peak_speed;     ///< pfv, m/s
-  Raster peak_pressure;  ///< ppr, Pa; kPa in its file and picture
-  Raster arrival;        ///< tarr, s
-  Raster layers;         ///< res, particles
+  Raster deposit;           ///< dep, m
+  Raster peak_depth;        ///< pfd, m
+  Raster peak_speed;        ///< pfv, m/s
+  Raster peak_pressure;     ///< ppr, Pa; kPa in its file and picture
+  Raster arrival;           ///< tarr, s
+  Raster layers;            ///< res, particles
+  double wet_depth = 0.05;  ///< above which a cell counted as wet, m
 };
 
 /// Writes the maps as GeoTIFF.

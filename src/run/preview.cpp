@@ -16,8 +16,10 @@
 #include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
 #include "physics/viscosity_of_concentration.hpp"
+#include "run/amount_text.hpp"
 #include "run/memory_estimate.hpp"
 #include "solver/flow_model.hpp"
+#include "terrain/body_points.hpp"
 
 namespace sabo {
 namespace {
@@ -117,10 +119,11 @@ double release_slope(const Scene& scene) {
 void tell_release(Preview& preview, const Case& c, const Scene& scene, const FlowModel& model) {
   const double dp = c.numerics.spacing;
   const double layers = scene.release_depth / dp;
-  preview.line("Release", fmt::format("{:.0f} m3, up to {:.2f} m deep, centre at ({:.1f}, {:.1f})",
-                                      scene.release_volume, scene.release_depth,
-                                      scene.frame.origin_x + scene.release_centre.x,
-                                      scene.frame.origin_y + scene.release_centre.y));
+  preview.line("Release",
+               fmt::format("{} m3, up to {} m deep, centre at ({:.1f}, {:.1f})",
+                           amount_text(scene.release_volume), amount_text(scene.release_depth),
+                           scene.frame.origin_x + scene.release_centre.x,
+                           scene.frame.origin_y + scene.release_centre.y));
   preview.line("Release", fmt::format("on a slope of {:.1f} deg in the mean",
                                       degrees_of(release_slope(scene))));
   preview.line("Release", fmt::format("{} particles at {:g} m: {:.1f} in the greatest depth; the "
@@ -184,6 +187,21 @@ void tell_dam(Preview& preview, const CheckDam& dam, const Scene& scene, const F
   }
 }
 
+void tell_body(Preview& preview, const BodyCase& c, const Body& body, const FlowModel& model) {
+  const std::size_t particles = body_points(body, model.spacing, model.state.rho0).size();
+  const Bounds bounds = bounds_of(body.mesh());
+  preview.line("Bodies", fmt::format("{}: {}, {} of {:.4g} m3 and {:.4g} m2, {} triangles, "
+                                     "watertight, {} particles",
+                                     body.name(), word_of(c.kind),
+                                     body.flow() == FlowSide::inside ? "a hollow" : "a solid",
+                                     volume(body.mesh()), area(body.mesh()),
+                                     body.mesh().triangles.size(), particles));
+  if (c.kind != BodyKind::mesh) return;
+  const Vec3d size = bounds.size();
+  preview.line("Bodies", fmt::format("  {:.4g} x {:.4g} x {:.4g} m, from {:.4g} to {:.4g} m high",
+                                     size.x, size.y, size.z, bounds.low.z, bounds.high.z));
+}
+
 void tell_lines(Preview& preview, const Case& c, const Scene& scene) {
   for (const NamedSection& section : scene.sections) {
     preview.line("Sections", fmt::format("{}: {:.1f} m long", section.name, length(section.line)));
@@ -198,8 +216,8 @@ void tell_lines(Preview& preview, const Case& c, const Scene& scene) {
   const Vec3d& last = scene.path.vertices.back();
   const double fall =
       scene.surface->height(first.x, first.y) - scene.surface->height(last.x, last.y);
-  preview.line("Path", fmt::format("{:.0f} m long, falls {:.1f} m, mean slope {:.1f} deg ({})", run,
-                                   fall, degrees_of(fall / run),
+  preview.line("Path", fmt::format("{} m long, falls {} m, mean slope {:.1f} deg ({})",
+                                   amount_text(run), amount_text(fall), degrees_of(fall / run),
                                    scene.path_is_descent ? "found by steepest descent" : "given"));
   const MohrCoulomb& yield = c.material.yield;
   if (!has_yield(c.material.law) || fall / run >= yield.slope()) return;
@@ -278,6 +296,8 @@ std::string preview_text(const Case& c, const Scene& scene, const std::string& t
   tell_edits(preview, scene);
   tell_release(preview, c, scene, model);
   for (const CheckDam& dam : scene.dams) tell_dam(preview, dam, scene, model);
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k)
+    tell_body(preview, c.bodies[k], scene.bodies[k], model);
   tell_lines(preview, c, scene);
   tell_numerics(preview, c, model);
   preview.line("Memory", fmt::format("about {:.0f} MB",

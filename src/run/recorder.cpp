@@ -152,7 +152,8 @@ void Recorder::write_zones(const Particles& fluid, SeriesRow& row) {
   if (zone_columns_) zone_columns_->update(fluid);
   for (const Zone& zone : zones_) {
     const ZoneDepth depth =
-        zone.measure([this](std::size_t cell) { return zone_columns_->depth(cell); });
+        zone.measure([this](std::size_t cell) { return zone_columns_->depth(cell); },
+                     zone_columns_->threshold());
     values.insert(values.end(), {depth.mean_wet, depth.mean_all, depth.greatest, depth.volume});
     row.zones.push_back(depth);
   }

@@ -7,6 +7,7 @@
 
 #include "analysis/zone.hpp"
 #include "base/error.hpp"
+#include "run/scene_bodies.hpp"
 #include "run/scene_lines.hpp"
 #include "run/scene_release.hpp"
 #include "run/scene_terrain.hpp"
@@ -71,6 +72,22 @@ void read_sections(const Case& c, Scene& scene, Faults& faults) {
   }
 }
 
+/// On level ground the front is measured along the axis on which it can go farthest.
+Polyline level_path(const Scene& scene) {
+  const Grid& grid = scene.surface->elevation().grid;
+  const Vec3d& from = scene.release_centre;
+  const double west = grid.x_of(0), east = grid.x_of(grid.columns - 1);
+  const double north = grid.y_of(0), south = grid.y_of(grid.rows - 1);
+  const std::pair<double, Vec3d> ways[] = {{east - from.x, {east, from.y, 0}},
+                                           {from.x - west, {west, from.y, 0}},
+                                           {north - from.y, {from.x, north, 0}},
+                                           {from.y - south, {from.x, south, 0}}};
+  const auto farthest =
+      std::max_element(std::begin(ways), std::end(ways),
+                       [](const auto& a, const auto& b) { return a.first < b.first; });
+  return {{{from.x, from.y, 0}, farthest->second}, false};
+}
+
 }  // namespace
 
 bool collected(Faults& faults, const std::function<void()>& part) {
@@ -88,6 +105,7 @@ Scene make_scene(const Case& c, Faults& faults) {
   read_terrain(c, scene, faults);
   if (!scene.surface) return scene;
   read_structures(c, scene, faults);
+  read_bodies(c, scene, faults);
   read_sections(c, scene, faults);
   read_zones(c, scene, faults);
   const bool has_release =
@@ -96,6 +114,8 @@ Scene make_scene(const Case& c, Faults& faults) {
   collected(faults, [&] {
     if (c.path.line.given()) {
       scene.path = read_line(c.path.line, "path.line", scene.frame);
+    } else if (has_release && c.terrain.plane && c.terrain.plane->slope == 0) {
+      scene.path = level_path(scene);
     } else if (has_release) {
       scene.path_is_descent = true;
       scene.path = steepest_descent(scene.surface->elevation(), scene.release_centre.x,

@@ -9,6 +9,7 @@
 #include "base/faults.hpp"
 #include "case/case.hpp"
 #include "particles/particles.hpp"
+#include "terrain/body.hpp"
 #include "terrain/check_dam.hpp"
 #include "terrain/hole_filling.hpp"
 #include "terrain/polyline.hpp"
@@ -49,6 +50,7 @@ struct Scene {
   std::vector<MadeEdit> edits;
   std::optional<LostGround> lost;  ///< of a release by a pair of DEMs
   std::vector<CheckDam> dams;
+  std::vector<Body> bodies;  ///< numbered after the dams, see Ground
   std::vector<NamedSection> sections;
   std::vector<NamedZone> zones;
   Polyline path;                 ///< along the valley

@@ -1,6 +1,7 @@
 #include "run/scene_release.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdint>
 #include <map>
@@ -61,13 +62,32 @@ ReleaseShape release_shape(const Case& c, const Scene& scene) {
   return c.release.volume ? scaled_to(shape, *c.release.volume) : shape;
 }
 
+Bounds box_of(const std::array<double, 6>& box, const Frame& frame) {
+  return {moved(frame, {box[0], box[1], box[2]}), moved(frame, {box[3], box[4], box[5]})};
+}
+
 Particles released_by(const Case& c, const Scene& scene) {
   const ReleaseSettings settings{c.numerics.spacing, c.material.density, scene.frame};
+  if (c.release.box)
+    return released(*scene.surface, box_of(*c.release.box, scene.frame), scene.bodies, settings);
   if (c.release.points.empty()) return released(*scene.surface, release_shape(c, scene), settings);
   const auto& offset = c.release.points_offset;
   std::vector<Vec3d> points = read_points(c.release.points, Vec3d{offset[0], offset[1], offset[2]});
   for (Vec3d& point : points) point = moved(scene.frame, point);
   return released(*scene.surface, points, c.release.point_volume, settings);
+}
+
+/// Gives the fluid of a box the pressure under its level surface.
+void make_level_hydrostatic(const Case& c, Scene& scene) {
+  Particles& release = scene.release;
+  const double top = (*c.release.box)[5];
+  const auto lowest = std::min_element(release.position.begin(), release.position.end(),
+                                       [](const Vec3d& a, const Vec3d& b) { return a.z < b.z; });
+  scene.release_depth = top - lowest->z + c.numerics.spacing / 2;
+  const Tait state = flow_model(c.material, c.numerics, scene.release_depth).state;
+  for (std::size_t i = 0; i < release.size(); ++i)
+    release.density[i] =
+        state.density(state.rho0 * c.numerics.gravity * (top - release.position[i].z));
 }
 
 /// Gives the release the pressure of its own weight on a slope, p = rho g d cos^2(theta) with the
@@ -111,7 +131,7 @@ void summarise(const Case& c, Scene& scene) {
 void read_release(const Case& c, Scene& scene) {
   scene.release = released_by(c, scene);
   summarise(c, scene);
-  make_hydrostatic(c, scene);
+  c.release.box ? make_level_hydrostatic(c, scene) : make_hydrostatic(c, scene);
   // Last, so that path, sound speed and densities are the same for every seed.
   const double reach = c.release.jitter * c.numerics.spacing;
   const auto seed = static_cast<std::uint64_t>(c.release.seed);

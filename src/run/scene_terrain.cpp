@@ -1,6 +1,8 @@
 #include "run/scene_terrain.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,9 +12,33 @@
 #include "io/gis/read_raster.hpp"
 #include "run/scene_lines.hpp"
 #include "terrain/dem_difference.hpp"
+#include "terrain/tilted_plane.hpp"
 
 namespace sabo {
 namespace {
+
+constexpr double usual_cells = 4e6;  // of a plane, at most
+constexpr double most_cells = 4e8;   // of a plane whose cells are given
+
+Raster plane_ground(const PlaneCase& c, double spacing, Scene& scene) {
+  const auto& [west, south, east, north] = c.extent;
+  constexpr double degree = std::numbers::pi / 180;
+  const TiltedPlane plane{
+      west, south, east, north, c.elevation, std::tan(c.slope * degree), c.direction * degree};
+  const double area = (east - west) * (north - south);
+  const double cell = c.cell_size.value_or(std::max(2 * spacing, std::sqrt(area / usual_cells)));
+  if (area / (cell * cell) > most_cells) {
+    throw CaseError("terrain.plane.cell_size", "makes far too many cells",
+                    fmt::format("give at least {:.2g} m", std::sqrt(area / most_cells)));
+  }
+  scene.frame = {std::floor(west), std::floor(south), ""};
+  scene.dem_notes = {
+      c.slope > 0 ? fmt::format("a plane of {:g} deg, falling to {:g} deg", c.slope, c.direction)
+                  : "a level plane"};
+  Raster ground = raster_of(plane, cell);
+  move(scene.frame, ground.grid);
+  return ground;
+}
 
 Raster read_ground(const TerrainCase& c, Scene& scene) {
   Dem dem = read_dem({.file = c.dem,
@@ -88,7 +114,8 @@ void dig_release(const Case& c, Raster& ground, Scene& scene) {
 
 void read_terrain(const Case& c, Scene& scene, Faults& faults) {
   collected(faults, [&] {
-    Raster ground = read_ground(c.terrain, scene);
+    Raster ground = c.terrain.plane ? plane_ground(*c.terrain.plane, c.numerics.spacing, scene)
+                                    : read_ground(c.terrain, scene);
     make_edits(c.terrain, ground, scene, faults);
     if (!c.release.dem_before.empty()) collected(faults, [&] { dig_release(c, ground, scene); });
     scene.surface = std::make_unique<Surface>(std::move(ground));

@@ -6,9 +6,9 @@
 
 namespace sabo {
 
-/// Reads the DEM, fills its holes, makes the edits and, for a release by a pair of DEMs, digs its
-/// hollow: sets frame, surface, holes, notes, edits and lost of the scene. Adds every fault; the
-/// scene has a surface only when the DEM itself could be read.
+/// Reads the DEM or makes the plane, fills holes, makes the edits and, for a release by a pair of
+/// DEMs, digs its hollow: sets frame, surface, holes, notes, edits and lost of the scene. Adds
+/// every fault; the scene has a surface only when the DEM itself could be read.
 void read_terrain(const Case& c, Scene& scene, Faults& faults);
 
 }  // namespace sabo

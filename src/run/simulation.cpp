@@ -124,9 +124,11 @@ class Simulation {
     if (facts_.end != RunEnd::failed)
       recorder_.finish(flow_.stepper().time(), flow_.backend().fluid());
     const FlowMaps& flow = recorder_.maps();
+    const double spacing = flow_.model().spacing;
     const RunMaps maps{flow.depth(),        flow.peak_depth(),
                        flow.peak_speed(),   flow.peak_pressure(),
-                       flow.arrival_time(), layers_map(flow.peak_depth(), flow_.model().spacing)};
+                       flow.arrival_time(), layers_map(flow.peak_depth(), spacing),
+                       wet_depth(spacing)};
     const std::vector<SeriesRow>& rows = recorder_.rows();
     fill_facts(maps);
     facts_.quantities = key_quantities(maps, rows, scene_);

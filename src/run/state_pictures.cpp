@@ -17,6 +17,7 @@
 #include "io/output/scene_picture.hpp"
 #include "run/overlay.hpp"
 #include "run/scene.hpp"
+#include "run/scene_bodies.hpp"
 
 namespace sabo {
 namespace {
@@ -98,6 +99,7 @@ class StatePictures {
         scene_(scene),
         ground_(scene.surface->elevation()),
         columns_(ground_, c.numerics.spacing, c.material.density),
+        wet_depth_(wet_depth(c.numerics.spacing)),
         greatest_depth_(ground_.grid) {}
 
   std::vector<PagePicture> draw(const std::vector<PvdEntry>& frames) {
@@ -107,7 +109,7 @@ class StatePictures {
       for (const std::size_t cell : columns_.touched())
         greatest_depth_.values[cell] = std::max(greatest_depth_.values[cell], columns_.depth(cell));
     }
-    view_ = view_around(greatest_depth_, Columns::wet_depth);
+    view_ = view_around(greatest_depth_, wet_depth_);
     direction_ = scene_direction(scene_picture("", 0), ground_, greatest_depth_);
     for (const PvdEntry& frame : frames) {
       take(frame);
@@ -139,10 +141,13 @@ class StatePictures {
     picture.title = std::move(title);
     picture.note = case_.note;
     picture.quantity = quantities[k].label;
-    picture.threshold = Columns::wet_depth;
+    picture.threshold = wet_depth_;
     picture.top = tops_[k];
     picture.view = view_;
     for (const CheckDam& dam : scene_.dams) picture.walls.push_back(scene_wall(dam));
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
+      picture.bodies.push_back(
+          {scene_.bodies[b].name(), shown_mesh(case_.bodies[b], scene_.bodies[b], scene_)});
     picture.lines = overlay(scene_);
     std::erase_if(picture.lines,
                   [](const MapLine& line) { return line.kind == MapLine::Kind::dam; });  // walls
@@ -153,7 +158,7 @@ class StatePictures {
     const Quantity& quantity = quantities[k];
     const std::string title = fmt::format("{} at {:.4g} s", quantity.title, frame.time);
     const Raster values = values_of(k);
-    MapPicture map{title, case_.note, quantity.label, k == 0 ? Columns::wet_depth : 0, tops_[k]};
+    MapPicture map{title, case_.note, quantity.label, k == 0 ? wet_depth_ : 0, tops_[k]};
     map.view = view_;
     map.lines = overlay(scene_);
     const std::string from_above =
@@ -181,6 +186,7 @@ class StatePictures {
   const Scene& scene_;
   const Raster& ground_;
   Columns columns_;
+  double wet_depth_;  // m
   Raster greatest_depth_;
   std::array<double, quantities.size()> tops_{};
   MapView view_;

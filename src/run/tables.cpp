@@ -6,13 +6,12 @@
 #include <fmt/format.h>
 
 #include "io/case_file/listing.hpp"
+#include "run/amount_text.hpp"
 
 namespace sabo {
 namespace {
 
-std::string volume(const std::optional<double>& value) {
-  return value ? fmt::format("{:.0f}", *value) : "-";
-}
+std::string volume(const std::optional<double>& value) { return value ? amount_text(*value) : "-"; }
 
 PageTable volumes_at(const Case& c, const Scene& scene, const SeriesRow& row, std::size_t dam) {
   const VolumeRow& volumes = row.volumes[dam];
@@ -58,8 +57,7 @@ PageTable zone_table(const Case& c, const SeriesRow& row) {
     const ZoneCase& described = c.zones[k];
     table.rows.push_back(
         {described.name, fmt::format("{:.2f}", zone.mean_wet), fmt::format("{:.2f}", zone.mean_all),
-         fmt::format("{:.2f}", zone.greatest), fmt::format("{:.0f}", zone.wet_area),
-         fmt::format("{:.0f}", zone.volume),
+         fmt::format("{:.2f}", zone.greatest), amount_text(zone.wet_area), amount_text(zone.volume),
          described.observed ? fmt::format("{:g} ({})", *described.observed, described.source)
                             : "-"});
   }

@@ -91,7 +91,7 @@ void fill_column(const DamColumn& column, const GroundSettings& settings,
   const double step = height / count;
   const double mass = settings.density * column.area * step;
   for (int k = 0; k < count; ++k) {
-    into.push_back({{column.x, column.y, column.bottom + (k + 0.5) * step}, mass});
+    into.push_back({{column.x, column.y, column.bottom + (k + 0.5) * step}, mass, column.body});
   }
 }
 

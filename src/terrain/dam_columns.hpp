@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include "terrain/check_dam.hpp"
@@ -12,9 +13,10 @@ namespace sabo {
 struct DamColumn {
   double x = 0;
   double y = 0;
-  double bottom = 0;  ///< elevation, m
-  double top = 0;     ///< elevation, m
-  double area = 0;    ///< in plan, m2
+  double bottom = 0;       ///< elevation, m
+  double top = 0;          ///< elevation, m
+  double area = 0;         ///< in plan, m2
+  std::uint16_t body = 0;  ///< number of the dam among the bodies, from 1
 };
 
 /// Columns at most `spacing` (m) apart that fill the wall, at least two across. Along the line they

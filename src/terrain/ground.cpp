@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "terrain/body_points.hpp"
 
 namespace sabo {
 namespace {
@@ -63,18 +64,55 @@ class RecentRanges {
 
 }  // namespace
 
-Ground::Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundSettings& settings)
+Ground::Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundSettings& settings,
+               std::vector<Body> bodies)
     : surface_(surface),
       dams_(std::move(dams)),
+      bodies_(std::move(bodies)),
       settings_(settings),
       columns_(surface, settings),
       tile_size_(tile_columns * settings.spacing) {
+  place_dams();
+  for (std::size_t k = 0; k < bodies_.size(); ++k) place_body(k);
+}
+
+void Ground::place_dams() {
+  std::uint16_t number = 0;
   for (const CheckDam& dam : dams_) {
-    for (const DamColumn& column : dam_columns(dam, surface_, settings_.spacing)) {
-      const TileRange tile = tiles_over(column.x, column.y, column.x, column.y, tile_size_);
-      dam_columns_[key_of(tile.west, tile.south)].push_back(column);
+    ++number;
+    for (DamColumn& column : dam_columns(dam, surface_, settings_.spacing)) {
+      column.body = number;
+      dam_columns_[tile_at(column.x, column.y)].push_back(column);
     }
   }
+}
+
+void Ground::place_body(std::size_t index) {
+  const Body& body = bodies_[index];
+  const auto number = static_cast<std::uint16_t>(dams_.size() + index + 1);
+  const auto is_taken = [&](const Vec3d& x) {
+    const auto holds_it = [&](const Body& other) { return other.contains(x); };
+    return x.z < surface_.height(x.x, x.y) || is_in_dam(x) ||
+           std::any_of(bodies_.begin(), bodies_.begin() + static_cast<std::ptrdiff_t>(index),
+                       holds_it);
+  };
+  bool is_seen = false;
+  for (GroundPoint& point : body_points(body, settings_.spacing, settings_.density)) {
+    const Vec3d& x = point.position;
+    if (is_taken(x)) continue;
+    is_seen = is_seen || surface_.inside(x.x, x.y);
+    point.body = number;
+    body_points_[tile_at(x.x, x.y)].push_back(point);
+  }
+  if (!is_seen) {
+    throw CaseError("body " + body.name(), "has no part above the ground inside the terrain",
+                    "check its place and its elevation");
+  }
+}
+
+std::int64_t Ground::tile_at(double x, double y) const {
+  const TileRange tile = tiles_over(x, y, x, y, tile_size_);
+  return key_of(tile.west, tile.south);
 }
 
 bool Ground::follow(const std::vector<Vec3d>& fluid, double reach, Particles& boundary) {
@@ -165,8 +203,10 @@ void Ground::make_tile(std::int64_t key, std::vector<GroundPoint>& into) const {
     }
   }
   const auto dam = dam_columns_.find(key);
-  if (dam == dam_columns_.end()) return;
-  for (const DamColumn& column : dam->second) fill_column(column, settings_, into);
+  if (dam != dam_columns_.end())
+    for (const DamColumn& column : dam->second) fill_column(column, settings_, into);
+  const auto body = body_points_.find(key);
+  if (body != body_points_.end()) into.insert(into.end(), body->second.begin(), body->second.end());
 }
 
 /// Adds particles at rest, numbered from the running counter.
@@ -181,6 +221,7 @@ void Ground::append(const std::vector<GroundPoint>& points, Particles& into) {
     into.mass[before + k] = points[k].mass;
     into.density[before + k] = settings_.density;
     into.id[before + k] = next_id_++;
+    into.body[before + k] = points[k].body;
   }
 }
 

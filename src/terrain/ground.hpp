@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "particles/particles.hpp"
+#include "terrain/body.hpp"
 #include "terrain/check_dam.hpp"
 #include "terrain/dam_columns.hpp"
 #include "terrain/ground_columns.hpp"
@@ -13,12 +14,16 @@
 
 namespace sabo {
 
-/// Boundary particles of the terrain and its dams, made only near the flow: the map is cut into
-/// square tiles of 8 x 8 lattice columns. See GroundColumns and dam_columns for their places.
+/// Boundary particles of the terrain, its dams and bodies, made only near the flow: the map is cut
+/// into square tiles of 8 x 8 lattice columns. See GroundColumns, dam_columns and body_points for
+/// their places. What stands in the ground, in a dam or in an earlier body has none there. Those of
+/// dams and bodies carry their number, from 1, dams first.
 class Ground {
  public:
-  /// Throws CaseError when a dam has no part above the ground. The surface must outlive the ground.
-  Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundSettings& settings);
+  /// Throws CaseError when a dam or body has no part above the ground. The surface must outlive the
+  /// ground.
+  Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundSettings& settings,
+         std::vector<Body> bodies = {});
 
   /// Makes the tiles within `reach` (m, in plan) of any fluid particle and drops the others.
   /// `boundary` holds what the last call left there, in any order and with its fields advanced by
@@ -30,7 +35,7 @@ class Ground {
   /// of these particles: use one or the other.
   void make_all(double west, double south, double east, double north, Particles& into);
 
-  /// Whether a point of the domain is below the ground or inside a dam.
+  /// Whether a point of the domain is below the ground, inside a dam or in a body.
   bool is_solid(const Vec3d& point) const;
 
   /// Nearest point outside the solid, for a particle found inside it.
@@ -39,6 +44,7 @@ class Ground {
   const Surface& surface() const { return surface_; }
   double spacing() const { return settings_.spacing; }  ///< m
   const std::vector<CheckDam>& dams() const { return dams_; }
+  const std::vector<Body>& bodies() const { return bodies_; }
   std::size_t tile_count() const { return tiles_.size(); }
 
  private:
@@ -53,17 +59,24 @@ class Ground {
   void make_tile(std::int64_t key, std::vector<GroundPoint>& into) const;
   void append(const std::vector<GroundPoint>& points, Particles& into);
 
+  void place_dams();
+  void place_body(std::size_t index);
+  std::int64_t tile_at(double x, double y) const;
+
   bool is_in_dam(const Vec3d& point) const;
+  bool is_in_body(const Vec3d& point) const;
   Vec3d out_of_ground(const Vec3d& point) const;
   Vec3d out_of_dam(const CheckDam& dam, const Vec3d& point) const;
   Vec3d lifted(Vec3d point) const;
 
   const Surface& surface_;
   std::vector<CheckDam> dams_;
+  std::vector<Body> bodies_;
   GroundSettings settings_;
   GroundColumns columns_;
   double tile_size_;
-  std::map<std::int64_t, std::vector<DamColumn>> dam_columns_;  // by tile
+  std::map<std::int64_t, std::vector<DamColumn>> dam_columns_;    // by tile
+  std::map<std::int64_t, std::vector<GroundPoint>> body_points_;  // by tile
   std::map<std::int64_t, Tile> tiles_;
   std::uint32_t next_id_ = 0;
 };

@@ -18,7 +18,8 @@ struct GroundSettings {
 /// A boundary particle to be.
 struct GroundPoint {
   Vec3d position;
-  double mass = 0;  ///< kg
+  double mass = 0;         ///< kg
+  std::uint16_t body = 0;  ///< number of the body it is a part of; 0: the ground
 };
 
 /// Columns of particles below the ground, on the horizontal lattice of the whole map.

@@ -18,7 +18,7 @@ bool is_below(const Surface& surface, const Vec3d& point) {
 }  // namespace
 
 bool Ground::is_solid(const Vec3d& point) const {
-  return is_below(surface_, point) || is_in_dam(point);
+  return is_below(surface_, point) || is_in_dam(point) || is_in_body(point);
 }
 
 bool Ground::is_in_dam(const Vec3d& point) const {
@@ -26,11 +26,21 @@ bool Ground::is_in_dam(const Vec3d& point) const {
                      [&](const CheckDam& dam) { return dam.contains(point); });
 }
 
+bool Ground::is_in_body(const Vec3d& point) const {
+  return std::any_of(bodies_.begin(), bodies_.end(),
+                     [&](const Body& body) { return body.contains(point); });
+}
+
 Vec3d Ground::pushed_out(const Vec3d& point) const {
   Vec3d moved = point;
   if (is_below(surface_, moved)) moved = out_of_ground(moved);
   for (const CheckDam& dam : dams_) {
     if (dam.contains(moved)) moved = out_of_dam(dam, moved);
+  }
+  const auto is_free = [this](const Vec3d& place) { return !is_solid(place); };
+  for (const Body& body : bodies_) {
+    if (!body.contains(moved)) continue;
+    moved = body.way_out(moved, hair * settings_.spacing, is_free).value_or(lifted(moved));
   }
   return is_solid(moved) ? lifted(moved) : moved;
 }
@@ -72,6 +82,9 @@ Vec3d Ground::lifted(Vec3d point) const {
   for (const CheckDam& dam : dams_) {
     if (!dam.contains(point)) continue;
     point.z = dam.top(project(dam.axis, point.x, point.y).station) + gap;
+  }
+  for (const Body& body : bodies_) {
+    if (body.contains(point)) point.z = body.bounds().high.z + gap;
   }
   return point;
 }

@@ -218,4 +218,40 @@ Particles released(const Surface& surface, const std::vector<Vec3d>& points, dou
   return at_rest(sites_in_cubes(surface, points, side, spacing), volume, settings.density);
 }
 
+Particles released(const Surface& surface, const Bounds& box, const std::vector<Body>& bodies,
+                   const ReleaseSettings& settings) {
+  const double spacing = settings.spacing;
+  const Vec3d size = box.size();
+  refuse_unless_fits(size.x * size.y * size.z / (spacing * spacing * spacing), most_particles);
+  const auto parts = [spacing](double length) {
+    return std::max<std::int64_t>(1, std::llround(length / spacing));
+  };
+  const auto is_free = [&](const Vec3d& place) {
+    return std::none_of(bodies.begin(), bodies.end(), [&](const Body& body) {
+      return body.contains(place) || body.distance().nearest(place, spacing / 4);
+    });
+  };
+  const std::int64_t columns = parts(size.x), rows = parts(size.y);
+  const double dx = size.x / static_cast<double>(columns);
+  const double dy = size.y / static_cast<double>(rows);
+  std::vector<Vec3d> positions;
+  double volume = 0;
+  for (std::int64_t i = 0; i < columns; ++i) {
+    for (std::int64_t j = 0; j < rows; ++j) {
+      const double x = box.low.x + (i + 0.5) * dx, y = box.low.y + (j + 0.5) * dy;
+      refuse_unless_inside(surface, x, y, settings.frame);
+      const double bottom = std::max(box.low.z, surface.height(x, y));
+      const std::int64_t count = std::llround((box.high.z - bottom) / spacing);
+      const double step = (box.high.z - bottom) / static_cast<double>(count);
+      for (std::int64_t k = 0; k < count; ++k) {
+        const Vec3d place{x, y, bottom + (k + 0.5) * step};
+        if (!is_free(place)) continue;
+        positions.push_back(place);
+        volume += dx * dy * step;
+      }
+    }
+  }
+  return at_rest(std::move(positions), volume, settings.density);
+}
+
 }  // namespace sabo

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "particles/particles.hpp"
+#include "terrain/body.hpp"
 #include "terrain/polyline.hpp"
 #include "terrain/raster.hpp"
 #include "terrain/surface.hpp"
@@ -54,6 +55,14 @@ Particles released(const Surface& surface, const ReleaseShape& shape,
 /// side of that cube, to 1e-6 m, they are the particles; otherwise the sites above the ground of a
 /// cubic lattice that lie in any of the cubes are. Masses, ids and errors as above.
 Particles released(const Surface& surface, const std::vector<Vec3d>& points, double point_volume,
+                   const ReleaseSettings& settings);
+
+/// Fills a box: columns in step with its sides, from its floor or the ground under it to its level
+/// top, the outermost half a step from the sides. Columns stand about a spacing apart so that they
+/// fit, and so do the particles of each. What would stand in a body, or nearer to it than a quarter
+/// of a spacing, is left out. All masses are equal and add up to the volume that is filled times
+/// the density; ids and errors as above.
+Particles released(const Surface& surface, const Bounds& box, const std::vector<Body>& bodies,
                    const ReleaseSettings& settings);
 
 }  // namespace sabo

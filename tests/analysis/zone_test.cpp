@@ -20,7 +20,7 @@ TEST(Zone, MeansAreOverWetCellsAndOverTheWholeZone) {
   EXPECT_EQ(zone.area(), 24);
   // Depths of the cells by index: 0.4 and 0.2 are wet, the film of 0.03 m is not, 9 lies outside.
   const double depths[] = {0.4, 0.03, 0, 0, 9, 0.2, 0, 0, 0, 9};
-  const ZoneDepth depth = zone.measure([&](std::size_t cell) { return depths[cell]; });
+  const ZoneDepth depth = zone.measure([&](std::size_t cell) { return depths[cell]; }, 0.05);
   EXPECT_DOUBLE_EQ(depth.volume, 4 * 0.63);
   EXPECT_DOUBLE_EQ(depth.wet_area, 8);
   EXPECT_DOUBLE_EQ(depth.mean_wet, 0.3);
@@ -29,11 +29,12 @@ TEST(Zone, MeansAreOverWetCellsAndOverTheWholeZone) {
 }
 
 TEST(Zone, DryAndEmptyZonesAreZero) {
-  const ZoneDepth dry = Zone(ground(), {rectangle(0, 6)}).measure([](std::size_t) { return 0.0; });
+  const ZoneDepth dry =
+      Zone(ground(), {rectangle(0, 6)}).measure([](std::size_t) { return 0.0; }, 0.05);
   EXPECT_EQ(dry.mean_wet, 0);
   const Zone empty(ground(), {rectangle(100, 200)});
   EXPECT_TRUE(empty.is_empty());
-  EXPECT_EQ(empty.measure([](std::size_t) { return 1.0; }).mean_all, 0);
+  EXPECT_EQ(empty.measure([](std::size_t) { return 1.0; }, 0.05).mean_all, 0);
 }
 
 TEST(Zone, LeavesOutCellsOutsideTheDomain) {

@@ -22,8 +22,14 @@ system is reprojected to that of the DEM; a raster in another one is refused.
 
 `sabo new` writes a case to start from, `sabo check CASE` says what it holds and all that is wrong
 with it, `sabo check CASE --defaults` prints it with every default. What the keys of the method do
-to a result is in [method.md](method.md). Of the ways to give a release choose one: `polygon`,
-`thickness_raster`, `points`, or `dem_before` with `dem_after`. A dam needs `crest`, `height` or a line with z.
+to a result is in [method.md](method.md). The ground is `terrain.dem` or `terrain.plane`. Of the ways to
+give a release choose one: `polygon`, `thickness_raster`, `points`, `box`, or `dem_before` with `dem_after`.
+A dam needs `crest`, `height` or a line with z.
+
+A body is of one `kind`, whose keys say so. What flows meets its surface: particles fill it to the depth
+of the kernel, so boxes and plates should be some spacings thick. A mesh must be closed; parts of it may
+overlap, and a part within another is a cavity. Where bodies, dams and ground overlap the ground comes
+first, then the dams, then the bodies in their order.
 
 )";
 

@@ -21,12 +21,73 @@ std::vector<std::string> dam(const std::string& keys) {
 TEST(Rules, OneWayOfRelease) {
   EXPECT_THAT(release(""),
               ElementsAre("case.toml:3 release: nothing is released; "
-                          "give one of polygon, thickness_raster, points, and dem_before "
+                          "give one of polygon, thickness_raster, points, box, and dem_before "
                           "with dem_after"));
   EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = 1\npoints = \"points.txt\"\n"),
               ElementsAre("case.toml:3 release: the release is given in more than one way; "
-                          "give one of polygon, thickness_raster, points, and dem_before "
+                          "give one of polygon, thickness_raster, points, box, and dem_before "
                           "with dem_after"));
+}
+
+TEST(Rules, ABoxHasAVolumeOfItsOwn) {
+  EXPECT_THAT(release("box = [0, 0, 0, 1, 1, 1]\n"), IsEmpty());
+  EXPECT_THAT(release("box = [0, 0, 0, 1, -1, 1]\n"),
+              ElementsAre("case.toml:4 release.box: has no volume; "
+                          "give [x0, y0, z0, x1, y1, z1], the lower corner first"));
+  EXPECT_THAT(
+      release("box = [0, 0, 0, 1, 1, 1]\nvolume = 3\nnormal = true\nthickness = 1\n"),
+      ElementsAre(
+          "case.toml:7 release.thickness: applies to a polygon only; remove it",
+          "case.toml:5 release.volume: does not apply to a box; remove it, or change the box",
+          "case.toml:6 release.normal: does not apply to a box; remove it"));
+}
+
+/// Faults of the smallest case with other keys in [terrain], which start at line 2.
+std::vector<std::string> terrain(const std::string& keys) {
+  return messages(with(smallest_case, "dem = \"dem.tif\"\n", keys));
+}
+
+TEST(Rules, TheGroundIsADemOrAPlane) {
+  EXPECT_THAT(terrain("plane.extent = [0, 0, 9, 9]\n"), IsEmpty());
+  EXPECT_THAT(terrain(""),
+              ElementsAre("case.toml:1 terrain: has no ground; give one of dem and plane"));
+  EXPECT_THAT(terrain("dem = \"dem.tif\"\nplane.extent = [0, 0, 9, 9]\n"),
+              ElementsAre("case.toml:1 terrain: has a dem and a plane; give one of dem and plane"));
+  EXPECT_THAT(terrain("plane.extent = [0, 0, 9, 0]\n"),
+              ElementsAre("case.toml:2 terrain.plane.extent: is empty; "
+                          "give [west, south, east, north]"));
+  EXPECT_THAT(terrain("plane.slope = 3\n"),
+              ElementsAre("case.toml:2 terrain.plane.extent: is missing; "
+                          "give [4 numbers], each from -1e8 to 1e8 m"));
+  EXPECT_THAT(terrain("plane.extent = [0, 0, 9, 9]\ncrs = \"EPSG:6670\"\ncell_size = 1\n"),
+              ElementsAre("case.toml:3 terrain.crs: applies to a dem only; remove it",
+                          "case.toml:4 terrain.cell_size: applies to a dem only; remove it"));
+}
+
+/// Faults of the smallest case with a body, whose keys start at line 12.
+std::vector<std::string> body(const std::string& keys) {
+  return messages(smallest_case + "[[body]]\n" + keys);
+}
+
+TEST(Rules, ABodyHasTheKeysOfItsKind) {
+  EXPECT_THAT(body("kind = \"box\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\nrotation = 30\n"), IsEmpty());
+  EXPECT_THAT(body("kind = \"tank\"\nmin = [0, 0, 0]\nmax = [1, 1, 1]\nopen_top = false\n"),
+              IsEmpty());
+  EXPECT_THAT(body("kind = \"mesh\"\nfile = \"mesh.stl\"\nflow = \"inside\"\n"), IsEmpty());
+  EXPECT_THAT(
+      body("kind = \"box\"\nmax = [1, 1, 1]\nopen_top = false\nscale = 2\n"),
+      ElementsAre("case.toml:11 body[1].min: is missing; give its lowest corner [x, y, z]",
+                  "case.toml:14 body[1].open_top: does not apply to kind \"box\"; remove it",
+                  "case.toml:15 body[1].scale: does not apply to kind \"box\"; remove it"));
+  EXPECT_THAT(
+      body("kind = \"mesh\"\nframe = \"local\"\nrotation = 2\n"),
+      ElementsAre("case.toml:14 body[1].rotation: does not apply to kind \"mesh\"; remove it",
+                  "case.toml:11 body[1].file: is missing; give an STL or OBJ file",
+                  "case.toml:11 body[1].at: is missing; "
+                  "give the place of its origin [x, y, z]"));
+  EXPECT_THAT(body("kind = \"box\"\nmin = [0, 0, 2]\nmax = [1, 1, 1]\n"),
+              ElementsAre("case.toml:14 body[1].max: its z is not above that of min; "
+                          "give corners across from each other, the lower one as min"));
 }
 
 TEST(Rules, PolygonHasThicknessOrVolume) {

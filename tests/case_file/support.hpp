@@ -50,8 +50,8 @@ spacing = 0.5
 inline const std::filesystem::path& folder_with_files() {
   static const TemporaryFolder folder;
   static const bool is_filled = [] {
-    for (const char* file :
-         {"dem.tif", "release.gpkg", "release.tif", "points.txt", "dam.gpkg", "path.gpkg"}) {
+    for (const char* file : {"dem.tif", "release.gpkg", "release.tif", "points.txt", "dam.gpkg",
+                             "path.gpkg", "mesh.stl"}) {
       folder.write(file);
     }
     return true;

@@ -25,9 +25,11 @@ YohutagawaNumbers example_numbers() {
 }
 
 TEST(Templates, AreNamed) {
-  ASSERT_EQ(templates.size(), 2u);
+  ASSERT_EQ(templates.size(), 4u);
   EXPECT_EQ(templates[0].name, "yohutagawa");
   EXPECT_EQ(templates[1].name, "valley-from-dem");
+  EXPECT_EQ(templates[2].name, "dam-break");
+  EXPECT_EQ(templates[3].name, "flume");
 }
 
 TEST(Templates, YohutagawaReadsBack) {

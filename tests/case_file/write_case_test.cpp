@@ -78,10 +78,39 @@ TerrainEditCase terrain_edit(const std::string& name) {
   return edit;
 }
 
+/// Each kind of body, with the keys of its kind.
+BodyCase body(const std::string& name) {
+  BodyCase result;
+  result.name = name;
+  result.kind = *rc::gen::element(BodyKind::box, BodyKind::tank, BodyKind::mesh);
+  if (result.kind == BodyKind::mesh) {
+    result.file = folder_with_files() / "mesh.stl";
+    result.frame = chance() ? BodyFrame::crs : BodyFrame::local;
+    if (chance() || result.frame == BodyFrame::local)
+      result.at = {{number(-9, 9), number(-9, 9), number(-9, 9)}};
+    result.scale = number(0.001, 9);
+    result.flow = chance() ? BodyFlow::outside : BodyFlow::inside;
+    return result;
+  }
+  result.min = {{number(-9, 0), number(-9, 0), number(-9, 0)}};
+  result.max = {{number(1, 9), number(1, 9), number(1, 9)}};
+  result.rotation = number(-90, 90);
+  if (result.kind == BodyKind::tank) result.open_top = chance();
+  return result;
+}
+
+PlaneCase plane() {
+  PlaneCase result;
+  result.extent = {number(-9, 0), number(-9, 0), number(1, 9), number(1, 9)};
+  result.slope = number(0, 40);
+  if (chance()) result.cell_size = number(0.1, 1);
+  return result;
+}
+
 /// Each way to give a release.
 ReleaseCase arbitrary_release(const std::filesystem::path& folder) {
   ReleaseCase release;
-  switch (*rc::gen::inRange(0, 5)) {
+  switch (*rc::gen::inRange(0, 6)) {
     case 0:
       release.polygon = line(3, chance());
       (chance() ? release.thickness : release.volume) = number(0.1, 10);
@@ -98,6 +127,9 @@ ReleaseCase arbitrary_release(const std::filesystem::path& folder) {
       release.points = folder / "points.txt";
       release.points_offset = {number(-9, 9), number(-9, 9), number(-9, 9)};
       release.point_volume = number(0.1, 9);
+      break;
+    case 4:
+      release.box = {{0, -1, 2, number(0.1, 9), number(0, 9), number(3, 9)}};
       break;
     default:
       release.dem_before = folder / "dem.tif";
@@ -130,11 +162,15 @@ Case arbitrary_case() {
   c.folder = folder_with_files();
   c.title = text();
   c.note = text();
-  c.terrain.dem = c.folder / "dem.tif";
-  c.terrain.assume_metres = chance();
-  if (chance()) c.terrain.crop = {{number(-9, 0), number(-9, 0), number(1, 9), number(1, 9)}};
-  if (chance()) c.terrain.crs = "EPSG:32652";
-  if (chance()) c.terrain.cell_size = number(0.1, 10);
+  if (chance()) {
+    c.terrain.plane = plane();
+  } else {
+    c.terrain.dem = c.folder / "dem.tif";
+    c.terrain.assume_metres = chance();
+    if (chance()) c.terrain.crop = {{number(-9, 0), number(-9, 0), number(1, 9), number(1, 9)}};
+    if (chance()) c.terrain.crs = "EPSG:32652";
+    if (chance()) c.terrain.cell_size = number(0.1, 10);
+  }
   c.release = arbitrary_release(c.folder);
   c.material.law = *rc::gen::elementOf(all_rheologies());
   std::visit([](auto& law) { law.describe(Randomise{}); }, c.material.law);
@@ -145,6 +181,7 @@ Case arbitrary_case() {
   }
   for (int i = 0; i < *rc::gen::inRange(0, 3); ++i) {
     c.structures.push_back(structure("dam " + std::to_string(i)));
+    c.bodies.push_back(body("body " + std::to_string(i)));
     c.sections.push_back({text() + std::to_string(i), line(2, false)});
     c.zones.push_back({text() + std::to_string(i), line(3, false), {}, text()});
     if (chance()) c.zones.back().observed = number(0, 9);
@@ -193,6 +230,16 @@ RC_GTEST_PROP(WriteCase, ReadingItBackGivesTheSameCase, ()) {
     RC_ASSERT(back.terrain.edits[k].radius == c.terrain.edits[k].radius);
     RC_ASSERT(back.terrain.edits[k].elevation == c.terrain.edits[k].elevation);
   }
+  RC_ASSERT(back.terrain.plane.has_value() == c.terrain.plane.has_value());
+  if (c.terrain.plane) RC_ASSERT(back.terrain.plane->extent == c.terrain.plane->extent);
+  RC_ASSERT(back.release.box == c.release.box);
+  RC_ASSERT(back.bodies.size() == c.bodies.size());
+  for (std::size_t k = 0; k < c.bodies.size(); ++k) {
+    RC_ASSERT(back.bodies[k].kind == c.bodies[k].kind);
+    RC_ASSERT(back.bodies[k].max == c.bodies[k].max);
+    RC_ASSERT(back.bodies[k].at == c.bodies[k].at);
+    RC_ASSERT(back.bodies[k].flow == c.bodies[k].flow);
+  }
   RC_ASSERT(back.zones.size() == c.zones.size());
   for (std::size_t k = 0; k < c.zones.size(); ++k) {
     RC_ASSERT(back.zones[k].observed == c.zones[k].observed);
@@ -220,10 +267,10 @@ TEST(WriteCase, LinesAreNotLong) {
 }
 
 TEST(WriteCase, DefaultsLackOnlyWhatIsRequired) {
-  EXPECT_THAT(messages(defaults_text()), ElementsAre(HasSubstr("terrain.dem: is missing"),
-                                                     HasSubstr("numerics.spacing: is missing"),
-                                                     HasSubstr("run.duration: is missing"),
-                                                     HasSubstr("release: nothing is released")));
+  EXPECT_THAT(
+      messages(defaults_text()),
+      ElementsAre(HasSubstr("numerics.spacing: is missing"), HasSubstr("run.duration: is missing"),
+                  HasSubstr("terrain: has no ground"), HasSubstr("release: nothing is released")));
 }
 
 TEST(KeysMarkdown, HasEveryTableAndRheology) {

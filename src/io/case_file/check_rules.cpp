@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "io/case_file/check_bodies.hpp"
 #include "io/case_file/key_text.hpp"
 #include "physics/viscosity_of_concentration.hpp"
 
@@ -19,6 +20,35 @@ void check_crop(const TerrainCase& terrain, Faults& faults) {
   const auto& [west, south, east, north] = *terrain.crop;
   if (!(west < east && south < north)) {
     faults.add("terrain.crop", "the window is empty", "give [west, south, east, north]");
+  }
+}
+
+/// The ground is a DEM or a plane; what is said of how to read a DEM means nothing for a plane.
+void check_ground(const TerrainCase& terrain, Faults& faults) {
+  const bool has_dem = !terrain.dem.empty() || faults.has("terrain.dem");
+  const bool has_plane = terrain.plane || faults.has("terrain.plane");
+  if (has_dem == has_plane) {
+    faults.add("terrain", has_dem ? "has a dem and a plane" : "has no ground",
+               "give one of dem and plane");
+  }
+  if (!terrain.plane) return;
+  const auto& [west, south, east, north] = terrain.plane->extent;
+  if (!(west < east && south < north) && !faults.has("terrain.plane.extent")) {
+    faults.add("terrain.plane.extent", "is empty", "give [west, south, east, north]");
+  }
+  const TerrainCase plain;
+  const struct {
+    const char* key;
+    bool is_given;
+  } keys[] = {{"assume_metres", terrain.assume_metres},
+              {"crs", !terrain.crs.empty()},
+              {"cell_size", terrain.cell_size.has_value()},
+              {"crop", terrain.crop.has_value()},
+              {"fill_holes", terrain.fill_holes != plain.fill_holes}};
+  for (const auto& [name, is_given] : keys) {
+    const std::string key = fmt::format("terrain.{}", name);
+    if (is_given && !has_dem && !faults.has(key))
+      faults.add(key, "applies to a dem only", "remove it");
   }
 }
 
@@ -115,6 +145,15 @@ void check_jitter(const ReleaseCase& release, Faults& faults) {
   faults.add("release.seed", "has no effect without jitter", "give jitter, 0.1 for instance");
 }
 
+void check_box(const ReleaseCase& release, Faults& faults) {
+  if (!release.box) return;
+  const auto& [x0, y0, z0, x1, y1, z1] = *release.box;
+  if (!(x0 < x1 && y0 < y1 && z0 < z1)) {
+    faults.add("release.box", "has no volume",
+               "give [x0, y0, z0, x1, y1, z1], the lower corner first");
+  }
+}
+
 void check_release(const ReleaseCase& release, Faults& faults) {
   const bool by_pair = !release.dem_before.empty() || !release.dem_after.empty() ||
                        faults.has("release.dem_before") || faults.has("release.dem_after");
@@ -123,15 +162,17 @@ void check_release(const ReleaseCase& release, Faults& faults) {
   const bool by_raster =
       !release.thickness_raster.empty() || faults.has("release.thickness_raster");
   const bool by_points = !release.points.empty() || faults.has("release.points");
+  const bool by_box = release.box || faults.has("release.box");
   const bool thickness = release.thickness || faults.has("release.thickness");
   const bool volume = release.volume || faults.has("release.volume");
 
   check_polygon(release.polygon, "release.polygon", faults);
-  const int ways = by_pair + by_polygon + by_raster + by_points;
+  check_box(release, faults);
+  const int ways = by_pair + by_polygon + by_raster + by_points + by_box;
   if (ways != 1) {
     faults.add("release",
                ways > 1 ? "the release is given in more than one way" : "nothing is released",
-               "give one of polygon, thickness_raster, points, and dem_before with dem_after");
+               "give one of polygon, thickness_raster, points, box, and dem_before with dem_after");
     return;
   }
   check_dem_pair(release, faults);
@@ -142,6 +183,12 @@ void check_release(const ReleaseCase& release, Faults& faults) {
   }
   if (!by_polygon && !release.thickness_attribute.empty()) {
     faults.add("release.thickness_attribute", "applies to a polygon only", "remove it");
+  }
+  if (by_box && volume) {
+    faults.add("release.volume", "does not apply to a box", "remove it, or change the box");
+  }
+  if (by_box && release.normal) {
+    faults.add("release.normal", "does not apply to a box", "remove it");
   }
   if (by_points && volume) {
     faults.add("release.volume", "does not apply to points",
@@ -291,6 +338,7 @@ void check_interval(double interval, const std::string& key, double max_count, d
 }  // namespace
 
 void check_rules(const Case& c, Faults& faults) {
+  check_ground(c.terrain, faults);
   check_crop(c.terrain, faults);
   for (std::size_t i = 0; i < c.terrain.edits.size(); ++i) {
     check_edit(c.terrain.edits[i], fmt::format("terrain.edit[{}]", i + 1), faults);
@@ -302,6 +350,7 @@ void check_rules(const Case& c, Faults& faults) {
     check_crest(c.structures[i], path, faults);
     check_notch(c.structures[i], path, faults);
   }
+  check_bodies(c.bodies, faults);
   for (std::size_t i = 0; i < c.sections.size(); ++i) {
     check_line(c.sections[i].line, fmt::format("section[{}].line", i + 1), faults);
   }
@@ -311,6 +360,7 @@ void check_rules(const Case& c, Faults& faults) {
   check_line(c.path.line, "path.line", faults);
   check_names(c.terrain.edits, "terrain.edit", faults);
   check_names(c.structures, "structure", faults);
+  check_names(c.bodies, "body", faults);
   check_names(c.sections, "section", faults);
   check_names(c.zones, "zone", faults);
   check_names(c.references, "reference", faults);

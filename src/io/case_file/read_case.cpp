@@ -195,6 +195,7 @@ Case read_text(std::string_view text, const FileContext& file,
   result.describe(reader);
   reader.refuse_unknown_keys();
   name_nameless(result.structures, "structure");
+  name_nameless(result.bodies, "body");
   name_nameless(result.sections, "section");
   name_nameless(result.zones, "zone");
   name_nameless(result.terrain.edits, "edit");

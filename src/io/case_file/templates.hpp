@@ -12,9 +12,11 @@ struct Template {
   std::string_view summary;
 };
 
-inline constexpr std::array<Template, 2> templates{{
+inline constexpr std::array<Template, 4> templates{{
     {"yohutagawa", "the debris flow of 2010 at Yohutagawa, Amami Oshima, on generated terrain"},
     {"valley-from-dem", "your own valley: a DEM, a release area and a check dam to edit"},
+    {"dam-break", "water in a tank that breaks against a box"},
+    {"flume", "a viscoplastic gel in an inclined flume, its walls from a mesh"},
 }};
 
 /// What the generated files of `yohutagawa` decide.
@@ -41,5 +43,12 @@ std::string yohutagawa_text(const YohutagawaNumbers& numbers);
 
 /// Case file to edit, for dem.tif and release.gpkg of the user.
 std::string valley_from_dem_text();
+
+/// Case file that needs no other.
+std::string dam_break_text();
+
+/// Case file beside walls.obj, and that file.
+std::string flume_text();
+std::string flume_walls_text();
 
 }  // namespace sabo

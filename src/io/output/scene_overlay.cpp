@@ -11,7 +11,6 @@ namespace sabo {
 namespace {
 
 constexpr double label_size = 13;
-constexpr const char* wall_label_colour = "#8c1c13";
 
 // Points of a line at about every mesh of the surface, NaN heights left in as gaps.
 std::vector<Vec3d> laid_on(const SceneMesh& mesh, const Polyline& line) {

@@ -9,6 +9,8 @@
 
 namespace sabo {
 
+inline constexpr const char* wall_label_colour = "#8c1c13";
+
 /// Where a finished canvas stands on the page.
 struct ScenePage {
   const SceneMesh& mesh;

@@ -74,8 +74,13 @@ struct Rows {
   double bottom = tallest;
 };
 
-Rows rows_shown(const SceneMesh& mesh, const Camera& camera) {
+// `more` are points besides the ground.
+Rows rows_shown(const SceneMesh& mesh, const std::vector<Vec3d>& more, const Camera& camera) {
   double top = tallest, bottom = 0;
+  for (const Vec3d& point : more) {
+    const Projected p = camera.project(point);
+    if (p.distance > 0) top = std::min(top, std::max(p.y, 0.0));
+  }
   for (int row = 0; row < mesh.rows(); ++row) {
     for (int column = 0; column < mesh.columns(); ++column) {
       const Projected p = camera.project(mesh.point(column, row));
@@ -178,8 +183,12 @@ Drawing drawing_of(const ScenePicture& scene, const SceneData& data) {
       for (const WallCut& cut : piece) points.insert(points.end(), {cut.left, cut.right});
     }
   }
+  std::vector<Vec3d> of_bodies;
+  for (const SceneBody& body : scene.bodies)
+    for (const Vec3d& v : body.mesh.vertices) of_bodies.push_back({v.x, v.y, d.mesh.drawn(v.z)});
+  points.insert(points.end(), of_bodies.begin(), of_bodies.end());
   d.view.camera = camera_around(points, d.direction, picture_width, tallest, d.mesh.spacing());
-  const Rows rows = rows_shown(d.mesh, d.view.camera);
+  const Rows rows = rows_shown(d.mesh, of_bodies, d.view.camera);
   d.view.top = rows.top;
   d.height = rows.bottom - rows.top;
   d.contour = contour_step(d.mesh);
@@ -206,6 +215,8 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
   for (const auto& pieces : d.walls) {
     draw_wall(canvas, pieces, d.view, light_for(d.direction));
   }
+  for (const SceneBody& body : scene.bodies)
+    draw_body(canvas, body, d.mesh, d.view, light_for(d.direction));
 
   const double top_value = scene.top.value_or(greatest_value(d.mesh));
   const double page_height = d.top + d.height + 76;
@@ -218,6 +229,7 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
   for (std::size_t k = 0; k < d.walls.size(); ++k) {
     label_wall(page, scene.walls[k], d.walls[k], labels);
   }
+  for (const SceneBody& body : scene.bodies) label_body(page, body, labels);
   for (const MapLine& line : scene.lines) svg += draw_draped(page, line, labels);
   svg += labels.svg();
   if (top_value > 0) {

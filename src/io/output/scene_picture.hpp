@@ -6,6 +6,7 @@
 
 #include "io/output/camera.hpp"
 #include "io/output/map_picture.hpp"
+#include "io/output/scene_bodies.hpp"
 #include "io/output/scene_walls.hpp"
 #include "terrain/raster.hpp"
 
@@ -24,6 +25,7 @@ struct ScenePicture {
   std::optional<double> down = {};  ///< of LookDirection, else 35 degrees or steeper
   double exaggeration = 1;          ///< of heights; stated on the picture when it is not 1
   std::vector<SceneWall> walls = {};
+  std::vector<SceneBody> bodies = {};
   std::vector<MapLine> lines = {};  ///< laid on the surface; a path also tells which way is up
 };
 
@@ -33,7 +35,8 @@ LookDirection scene_direction(const ScenePicture& scene, const Raster& elevation
                               const Raster& depth);
 
 /// The picture as an SVG file: the ground as a grey relief, lifted by the depth (m) and coloured by
-/// the values where there is flow. The camera holds the whole flow and the walls over the view. The
+/// the values where there is flow. The camera holds the whole flow, the walls over the view
+/// and the bodies. The
 /// rasters have one grid, NaN where there is no data. Throws RunError.
 std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const Raster& depth,
                       const Raster& values);

@@ -129,6 +129,30 @@ std::vector<std::int32_t> triangles_of(const SurfacePoints& s) {
   return corners;
 }
 
+/// Values of the points of a surface.
+struct PointValues {
+  const char* name;
+  const std::vector<float>& values;
+};
+
+void write_triangles(const std::filesystem::path& file, const Vec3d& origin,
+                     const std::vector<Vec3f>& points, const std::vector<std::int32_t>& corners,
+                     const PointValues& array) {
+  std::vector<std::int32_t> offsets(corners.size() / 3);
+  for (std::size_t i = 0; i < offsets.size(); ++i)
+    offsets[i] = static_cast<std::int32_t>(3 * (i + 1));
+  PolyData p;
+  p.fields = origin_field(origin);
+  p.point_count = points.size();
+  p.cell_count = offsets.size();
+  p.cell_kind = "Polys";
+  p.points = add(p.data, "position [m]", 3, floats_of(points));
+  p.point_data = add<float>(p.data, array.name, 1, array.values);
+  p.cells = add<std::int32_t>(p.data, "connectivity", 1, corners) +
+            add<std::int32_t>(p.data, "offsets", 1, offsets);
+  write_file_atomically(file, file_text(p));
+}
+
 }  // namespace
 
 void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& frame) {
@@ -160,23 +184,20 @@ void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& fram
 void write_surface_vtp(const std::filesystem::path& file, const Raster& elevation,
                        const Vec3d& origin, std::size_t max_points) {
   const SurfacePoints surface = surface_points(elevation, max_points);
-  const std::vector<std::int32_t> corners = triangles_of(surface);
   std::vector<float> z;
   for (const Vec3f& point : surface.points) z.push_back(point.z);
-  std::vector<std::int32_t> offsets(corners.size() / 3);
-  for (std::size_t i = 0; i < offsets.size(); ++i) {
-    offsets[i] = static_cast<std::int32_t>(3 * (i + 1));
-  }
-  PolyData p;
-  p.fields = origin_field(origin);
-  p.point_count = surface.points.size();
-  p.cell_count = offsets.size();
-  p.cell_kind = "Polys";
-  p.points = add(p.data, "position [m]", 3, floats_of(surface.points));
-  p.point_data = add<float>(p.data, "elevation [m]", 1, z);
-  p.cells = add<std::int32_t>(p.data, "connectivity", 1, corners) +
-            add<std::int32_t>(p.data, "offsets", 1, offsets);
-  write_file_atomically(file, file_text(p));
+  write_triangles(file, origin, surface.points, triangles_of(surface), {"elevation [m]", z});
+}
+
+void write_mesh_vtp(const std::filesystem::path& file, const TriangleMesh& mesh,
+                    const std::vector<float>& numbers, const Vec3d& origin) {
+  std::vector<Vec3f> points;
+  for (const Vec3d& v : mesh.vertices) points.push_back({float(v.x), float(v.y), float(v.z)});
+  std::vector<std::int32_t> corners;
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t corner : t) corners.push_back(static_cast<std::int32_t>(corner));
+  check(file, {"body", 1, std::span<const float>(numbers)}, points.size());
+  write_triangles(file, origin, points, corners, {"body", numbers});
 }
 
 void PvdWriter::add(double time, const std::string& frame_file) {

@@ -8,6 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/triangle_mesh.hpp"
+
 #include "math/vec3.hpp"
 #include "terrain/raster.hpp"
 
@@ -37,6 +39,10 @@ void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& fram
 /// cuts them, with the array "elevation [m]". Of more than `max_points` cells every k-th is taken.
 void write_surface_vtp(const std::filesystem::path& file, const Raster& elevation,
                        const Vec3d& origin, std::size_t max_points = 4'000'000);
+
+/// Writes a mesh (solver frame) with a number for each vertex as the array "body". Throws RunError.
+void write_mesh_vtp(const std::filesystem::path& file, const TriangleMesh& mesh,
+                    const std::vector<float>& numbers, const Vec3d& origin);
 
 /// The list of frames that ParaView opens as a time series.
 class PvdWriter {
