@@ -87,7 +87,7 @@ void HostBackend::load_bodies_by_pressure() {
   add_to_bodies([&](std::size_t i, std::size_t b, const PairGeometry<double>& pair) {
     const Vec3d a = pressure_force(pair, per_rho2 * fluid_.pressure[i],
                                    per_rho2 * boundary_.pressure[b], boundary_.mass[b]);
-    return -fluid_.mass[i] * (a + artificial_on_wall(i, b, pair));
+    return -fluid_.mass[i] * a;
   });
 }
 
