@@ -21,6 +21,12 @@ struct Tait {
     return b() * e * (7 + e * (21 + e * (35 + e * (35 + e * (21 + e * (7 + e))))));
   }
 
+  /// sqrt(dp/drho) at a density, m/s: the cube of rho/rho0 over that at rho0.
+  SABO_HD constexpr double sound_speed(double rho) const {
+    const double ratio = rho / rho0;
+    return c0 * ratio * ratio * ratio;
+  }
+
   /// Density at a pressure above -B, kg/m3.
   double density(double p) const { return rho0 * std::pow(1 + p / b(), 1.0 / 7); }
 };

@@ -6,6 +6,7 @@ namespace sabo {
 
 // Each is one file of verify/cases, with everything that the case is about.
 
+Verdict verify_hydrostatic(const VerifySettings& settings);
 Verdict verify_rheologies(const VerifySettings& settings);
 Verdict verify_startup(const VerifySettings& settings);
 Verdict verify_slit(const VerifySettings& settings);

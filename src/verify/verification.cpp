@@ -33,6 +33,8 @@ const std::vector<Verification>& verifications() {
        "figure 1 of the paper (doi:10.1007/s11069-016-2171-x)",
        {Method::fast},
        verify_rheologies},
+      {"hydrostatic", "Fluids at rest over floors, a wedge and DEMs", "p = ρ g (H - z)", both,
+       verify_hydrostatic},
       {"startup", "Poiseuille and Couette flow from rest",
        "series of Morris, Fox & Zhu (1997), Eqs. 22 and 23", both, verify_startup},
       {"slit", "Fluids with a yield stress between two plates",

@@ -23,6 +23,14 @@ TEST(Tait, MatchesThePowerFarFromTheReference) {
   EXPECT_NEAR(state.pressure(900), 1e5 / 7 * (std::pow(0.9, 7) - 1), 1e-8);
 }
 
+TEST(Tait, SoundSpeedIsTheRootOfTheSlope) {
+  const Tait state{1000, 10};
+  EXPECT_DOUBLE_EQ(state.sound_speed(1000), 10);
+  const double d = 1e-3;
+  const double slope = (state.pressure(1100 + d) - state.pressure(1100 - d)) / (2 * d);
+  EXPECT_NEAR(state.sound_speed(1100), std::sqrt(slope), 1e-6);  // 10 x 1.1^3
+}
+
 TEST(Tait, DensityInvertsPressure) {
   const Tait state{1726, 100};
   for (const double p : {-1e4, 0.0, 1.0, 6.3e4, 1e6})

@@ -51,16 +51,4 @@ inline std::unique_ptr<Stepper> stepper_of(Method method, Backend& backend,
 
 inline constexpr Method both_methods[] = {Method::fast, Method::paper};
 
-/// Relative L2 error of the velocity along x against u(z).
-inline double velocity_error(Backend& backend, const std::function<double(double)>& u) {
-  double difference = 0, norm = 0;
-  const Particles& fluid = backend.fluid();
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const double exact = u(fluid.position[i].z);
-    difference += (fluid.velocity[i].x - exact) * (fluid.velocity[i].x - exact);
-    norm += exact * exact;
-  }
-  return std::sqrt(difference / norm);
-}
-
 }  // namespace sabo::test

@@ -24,9 +24,14 @@ struct Sheet {
   double slope;  ///< rad
   double depth;  ///< m, normal to the bed
   double density;
+  double viscosity;  ///< mu_B, Pa s
   Rheology law;
   MohrCoulomb yield;
 
+  /// Of the slowest mode of a fluid of mu_B, s.
+  double relaxation_time() const {
+    return 4 * depth * depth * density / (std::numbers::pi * std::numbers::pi * viscosity);
+  }
   ShearFlow steady() const {
     const double along = density * g * std::sin(slope), across = density * g * std::cos(slope);
     return ShearFlow(
@@ -41,7 +46,7 @@ struct Sheet {
 /// theta 30, phi 20 degrees, mu_B 5 Pa s, H 0.1 m; with mu_0/mu_B = 1000 the surface moves at
 /// 2.9138 (c = 0) and 2.0132 m/s (c = 50 Pa).
 Sheet mohr_coulomb(double slope_degrees, double cohesion, double friction_angle = 20) {
-  return {slope_degrees * radians, 0.1, 1600, Cross{5, 1000, 1}, {cohesion, friction_angle, 0}};
+  return {slope_degrees * radians, 0.1, 1600, 5, Cross{5, 1000, 1}, {cohesion, friction_angle, 0}};
 }
 
 /// sin(theta) 0.0875, rho 1800, tau_y 100 Pa, mu_B 10 Pa s, at H 0.2 m: mean 1.095, surface 1.4138
@@ -49,8 +54,8 @@ Sheet mohr_coulomb(double slope_degrees, double cohesion, double friction_angle 
 constexpr double bingham_sine = 0.0875, bingham_yield = 100, bingham_density = 1800;
 constexpr double stopping_depth = bingham_yield / (bingham_density * g * bingham_sine);
 Sheet bingham(double depth) {
-  return {
-      std::asin(bingham_sine), depth, bingham_density, Bingham{{10, 1000}}, {bingham_yield, 0, 0}};
+  return {std::asin(bingham_sine), depth, bingham_density, 10, Bingham{{10, 1000}},
+          {bingham_yield, 0, 0}};
 }
 
 struct Speeds {
@@ -146,16 +151,24 @@ class Incline {
     add_creep();
     add_dem();
     report(1);
+    if (!settings_.is_quick() && !is_explicit())
+      verdict_.remarks.push_back(
+          "Mohr-Coulomb, 2.59 s: the lattice of rows that shear over each other breaks up after "
+          "1.5 "
+          "s, 50 depths of travel. Density is then held to the places of the particles, which "
+          "pushes "
+          "where they crowd more than it pulls where they do not: the layer swells by 2 to 4 % and "
+          "runs ahead. Without that hold (crowding_tolerance 0.3) it keeps its depth within 1 % "
+          "and "
+          "loses 2 % of its mean speed by 3 s");
     return std::move(verdict_);
   }
 
  private:
   void report(double share) const { settings_.on_progress(share); }
 
-  /// Started from the steady flow, a wrong balance would carry it away within its relaxation time,
-  /// 4 H^2 / (pi^2 nu) = 1.3 s.
+  /// Started from the steady flow, a wrong balance would carry it away within its relaxation time.
   void add_surface_speeds() {
-    const double margin = settings_.is_quick() ? 0.05 : 0.02;
     struct Row {
       const char* name;
       Sheet sheet;
@@ -164,24 +177,32 @@ class Incline {
          {Row{"Mohr-Coulomb, c = 0", mohr_coulomb(30, 0)},
           Row{"Mohr-Coulomb, c = 50 Pa", mohr_coulomb(30, 50)}, Row{"Bingham", bingham(0.2)}}) {
       const ShearFlow steady = sheet.steady();
-      ChartSeries series;
-      const Speeds speeds = run(sheet, cells_, 2.6, steady, settings_, &series);
-      const std::string where = fmt::format("{}, {} particles deep: ", name, cells_);
-      verdict_.claims.push_back(Claim::within_share(where + "surface speed", "m/s", speeds.surface,
-                                                    steady(sheet.depth * (1 - 0.5 / cells_)),
-                                                    margin));
-      verdict_.claims.push_back(
-          Claim::within_share(where + "mean speed", "m/s", speeds.mean, steady.mean(), margin));
-      if (settings_.is_quick()) continue;
+      const double top = steady(sheet.depth * (1 - 0.5 / cells_));  // of the uppermost row
+      const double margin = settings_.is_quick() ? 0.05 : 0.02;
       LineChart chart{fmt::format("Incline: {}", name), "height above the bed [m]", "speed [m/s]"};
-      chart.series = {std::move(series), exact_series("exact", steady, sheet.depth)};
+      for (const int times : {1, 2}) {
+        if (times > 1 && settings_.is_quick()) continue;
+        const double end = times * sheet.relaxation_time();
+        ChartSeries series;
+        const Speeds speeds = run(sheet, cells_, end, steady, settings_, &series);
+        series.name = fmt::format("{:.2f} s", end);
+        chart.series.push_back(std::move(series));
+        const std::string where = fmt::format("{}, {} deep, {:.2f} s: ", name, cells_, end);
+        verdict_.claims.push_back(
+            Claim::within_share(where + "surface speed", "m/s", speeds.surface, top, margin));
+        verdict_.claims.push_back(
+            Claim::within_share(where + "mean speed", "m/s", speeds.mean, steady.mean(), margin));
+      }
+      chart.series.push_back(exact_series("exact", steady, sheet.depth));
       verdict_.charts.push_back(std::move(chart));
     }
-    const ShearFlow steady = mohr_coulomb(30, 0).steady();
-    const Speeds other = run(mohr_coulomb(30, 0, 24), cells_, 2.6, steady, settings_);
+    const Sheet sheet = mohr_coulomb(30, 0);
+    const ShearFlow steady = sheet.steady();
+    const Speeds other =
+        run(mohr_coulomb(30, 0, 24), cells_, sheet.relaxation_time(), steady, settings_);
     verdict_.claims.push_back(
         Claim::at_most("friction angle 24 instead of 20°: surface speed over the exact one", "",
-                       other.surface / steady.top(), 0.8));
+                       other.surface / steady.top(), 0.9));
   }
 
   /// The depth at which the surface moves as fast as that of the exact flow at the stopping depth.

@@ -1,0 +1,197 @@
+// Fluids at rest: the pressure is the weight above, nothing moves, and the density is what the
+// equation of state makes of the pressure at the stated speed of sound.
+
+#include <cmath>
+
+#include "verify/cases.hpp"
+#include "verify/cases/still_pool.hpp"
+#include "verify/profile.hpp"
+#include <fmt/format.h>
+
+#include "solver/make_stepper.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr double depth = 1, density = 1000, g = 9.81;  // m, kg/m3, m/s2
+
+enum class Shape { column, wedge, flat_dem, rough_dem, box };
+
+struct Variant {
+  std::string name;
+  Shape shape = Shape::column;
+  int cells = 50;  ///< of the depth
+  Rheology law = Newtonian{0.001};
+  MohrCoulomb yield = {};
+  double true_density = density;  ///< of what is in the pool, kg/m3
+
+  bool is_flat() const { return shape == Shape::column || shape == Shape::wedge; }
+};
+
+StillPool pool_of(const Variant& variant, const FlowModel& model) {
+  switch (variant.shape) {
+    case Shape::wedge:
+      return wedge_pool(model, depth);
+    case Shape::flat_dem:
+      return dem_pool(model, depth, false);
+    case Shape::rough_dem:
+      return dem_pool(model, depth, true);
+    case Shape::box:
+      return box_pool(model, depth);
+    case Shape::column:
+      break;
+  }
+  return column_pool(model, depth);
+}
+
+struct Outcome {
+  double pressure_error = 0;   ///< relative L2
+  double bottom_pressure = 0;  ///< of the wall that touches the fluid, over the exact one
+  double surface_drift = 0;    ///< m
+  double density_error = 0;    ///< greatest, over the reference density
+  double speed = 0;            ///< greatest in the second half, m/s
+  ChartSeries profile = {};    ///< pressure over height
+};
+
+double exact_pressure(double below_surface) { return density * g * below_surface; }
+
+double fastest(const Particles& fluid) {
+  double most = 0;
+  for (const Vec3d& v : fluid.velocity) most = std::max(most, norm(v));
+  return most;
+}
+
+/// The sum of pressures of boundary particles within 1.2 spacings of the fluid, over the exact one.
+double bottom_pressure(const StillPool& pool) {
+  const FlowModel& model = pool.backend->model();
+  const Particles& fluid = pool.backend->fluid();
+  const Particles& wall = pool.backend->boundary();
+  double sum = 0, exact = 0;
+  for (std::size_t b = 0; b < wall.size(); ++b) {
+    const bool touches = std::ranges::any_of(fluid.position, [&](const Vec3d& x) {
+      return norm(model.periodic.nearest(x - wall.position[b])) < 1.2 * model.spacing;
+    });
+    if (!touches) continue;
+    sum += wall.pressure[b];
+    exact += std::max(0.0, exact_pressure(pool.level - wall.position[b].z));
+  }
+  return sum / exact;
+}
+
+void measure(const StillPool& pool, Outcome& outcome) {
+  const Particles& fluid = pool.backend->fluid();
+  // The stated speed of sound is 10 sqrt(g depth); Tait's equation the other way round.
+  const double b = density * 100 * g * depth / 7;
+  double difference = 0, size = 0, top = -1;
+  std::vector<std::size_t> order(fluid.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::ranges::sort(order, {}, [&](std::size_t i) { return fluid.position[i].z; });
+  for (const std::size_t i : order) {
+    const double exact = exact_pressure(pool.level - fluid.position[i].z);
+    difference += (fluid.pressure[i] - exact) * (fluid.pressure[i] - exact);
+    size += exact * exact;
+    top = std::max(top, fluid.position[i].z);
+    const double exact_density = density * std::pow(1 + std::max(0.0, exact) / b, 1.0 / 7);
+    outcome.density_error =
+        std::max(outcome.density_error, std::abs(fluid.density[i] - exact_density) / density);
+    outcome.profile.x.push_back(fluid.position[i].z);
+    outcome.profile.y.push_back(fluid.pressure[i]);
+  }
+  outcome.pressure_error = std::sqrt(difference / size);
+  outcome.bottom_pressure = bottom_pressure(pool);
+  outcome.surface_drift = top + 0.5 * pool.backend->model().spacing - pool.level;
+}
+
+Outcome run(const Variant& variant, double end, const VerifySettings& settings,
+            const std::function<void(double share)>& on_progress) {
+  NumericsCase numerics = settings.numerics();
+  numerics.spacing = depth / variant.cells;
+  if (std::holds_alternative<Newtonian>(variant.law)) numerics.artificial_viscosity = 0.02;
+  MaterialCase material;
+  material.density = variant.true_density;
+  material.law = variant.law;
+  material.yield = variant.yield;
+  FlowModel model = settings.model(material, numerics, depth);
+  model.dimension = variant.is_flat() ? 2 : 3;
+  const StillPool pool = pool_of(variant, model);
+  const auto stepper = make_stepper(numerics, *pool.backend, nullptr);
+  Outcome outcome;
+  constexpr int points = 40;
+  for (int k = 1; k <= points; ++k) {
+    advance_to(*stepper, end * k / points);
+    if (2 * k >= points) outcome.speed = std::max(outcome.speed, fastest(pool.backend->fluid()));
+    on_progress(double(k) / points);
+  }
+  measure(pool, outcome);
+  outcome.profile.name = variant.name;
+  return outcome;
+}
+
+void add_claims(const Variant& variant, const Outcome& outcome, double end, Verdict& verdict) {
+  const double dp = depth / variant.cells;
+  const std::string where = fmt::format("{}, spacing H/{}: ", variant.name, variant.cells);
+  verdict.claims.push_back(
+      Claim::at_most(where + "L2 error of the pressure", "", outcome.pressure_error, 0.01));
+  verdict.claims.push_back(Claim::within_share(where + "pressure of the wall over the exact one",
+                                               "", outcome.bottom_pressure, 1, 0.01));
+  verdict.claims.push_back(Claim::within(where + "drift of the surface, half a spacing", "m",
+                                         outcome.surface_drift, 0, 0.5 * dp));
+  verdict.claims.push_back(
+      Claim::at_most(fmt::format("{}greatest speed after {:g} s over √(gH)", where, end / 2), "",
+                     outcome.speed / std::sqrt(g * depth), 1e-3));
+  verdict.claims.push_back(
+      Claim::at_most(where + "density less the hydrostatic one, greatest over ρ0", "",
+                     outcome.density_error, 0.003));
+}
+
+std::vector<Variant> variants(bool quick) {
+  const Variant bingham{"Bingham", Shape::column, quick ? 20 : 50, Bingham{{20, 1e4}}, {50, 0, 0}};
+  if (quick) return {{"column", Shape::column, 20}, bingham, {"flat DEM", Shape::flat_dem, 10}};
+  return {{"column", Shape::column, 25},
+          {"column", Shape::column, 50},
+          {"column", Shape::column, 100},
+          bingham,
+          {"Mohr-Coulomb", Shape::column, 50, Cross{20, 1e4, 1}, {0, 30, 0}},
+          {"wedge", Shape::wedge, 50},
+          {"flat DEM", Shape::flat_dem, 25},
+          {"rough DEM", Shape::rough_dem, 25},
+          {"DEM of 30° in a box", Shape::box, 25}};
+}
+
+}  // namespace
+
+Verdict verify_hydrostatic(const VerifySettings& settings) {
+  const bool quick = settings.is_quick();
+  const double end = quick ? 2 : 10;
+  const std::vector<Variant> list = variants(quick);
+  const auto work_of = [](const Variant& variant) {
+    return std::pow(variant.cells, 2) * (variant.is_flat() ? 1 : 20);
+  };
+  double work = 0, done = 0;
+  for (const Variant& variant : list) work += work_of(variant);
+  Verdict verdict;
+  LineChart chart{"Pressure at rest", "height [m]", "pressure [Pa]"};
+  for (const Variant& variant : list) {
+    const double part = work_of(variant) / work;
+    Outcome outcome = run(variant, end, settings, [&](double share) {
+      settings.on_progress(std::min(0.98, done + part * share));
+    });
+    done += part;
+    add_claims(variant, outcome, end, verdict);
+    outcome.profile.has_line = false;
+    outcome.profile.has_markers = true;
+    chart.series.push_back(std::move(outcome.profile));
+  }
+  chart.series.push_back({"ρ g (H - z)", {0, depth}, {exact_pressure(depth), 0}});
+  verdict.charts.push_back(std::move(chart));
+  Variant heavy = list.front();
+  heavy.true_density = 1.03 * density;
+  verdict.claims.push_back(Claim::at_least("a fluid 3 % denser: L2 error of the pressure", "",
+                                           run(heavy, 1, settings, [](double) {}).pressure_error,
+                                           0.02));
+  verdict.remarks = {"water has an artificial viscosity α of 0.02"};
+  settings.on_progress(1);
+  return verdict;
+}
+
+}  // namespace sabo
