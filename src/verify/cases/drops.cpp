@@ -258,7 +258,7 @@ Verdict verify_drops(const VerifySettings& settings) {
       0.97));
   verdict.remarks.push_back(
       "Semi-axes are those of the second moments of the particles. Without viscosity, artificial "
-      "or real; sound speed 10 times 140 m/s and 10 times 1 m/s.");
+      "or real; sound speed 10 times 140 m/s and 10 times 1 m/s");
   settings.on_progress(1);
   return verdict;
 }

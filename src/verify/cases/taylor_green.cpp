@@ -179,7 +179,7 @@ Verdict verify_taylor_green(const VerifySettings& settings) {
                        "", decay.error, 0.05));
     verdict.remarks.push_back(fmt::format(
         "Re {:g}, dp 1/{}: the decay to {:g} s is that of {:.3f} times the viscosity; fastest "
-        "particle {:.3f} of the exact one.",
+        "particle {:.3f} of the exact one",
         flow.reynolds, flow.cells, flow.end, decay.viscosity, decay.fastest));
     chart.series.push_back(std::move(decay.speed));
     chart.series.push_back(exact_decay(flow));
@@ -194,17 +194,20 @@ Verdict verify_taylor_green(const VerifySettings& settings) {
       run(oracle, oracle_work).drift, 1e-12));
   if (shifted > 0) {
     verdict.remarks.push_back(
-        fmt::format("Particles are shifted, particle_shifting = {:g}.", shifted));
+        fmt::format("Particles are shifted, particle_shifting = {:g}", shifted));
     if (!is_quick) {
       Decay decay = run(as_it_is, as_it_is.work());
       verdict.remarks.push_back(fmt::format(
           "Not shifted, which is the default: error of U at Re 100 {:.3f}, decay of {:.3f} times "
-          "the viscosity: pressure takes energy in pushing particles out of filaments.",
+          "the viscosity: pressure takes energy in pushing particles out of filaments",
           decay.error, decay.viscosity));
       chart.series.push_back(std::move(decay.speed));
     }
   } else {
-    verdict.remarks.push_back("This method has no particle shifting.");
+    verdict.remarks.push_back(
+        "This method has no particle shifting; without it the fast method misses the gate at Re "
+        "100 too, "
+        "by 0.19");
   }
   verdict.charts = {std::move(chart)};
   settings.on_progress(1);
