@@ -125,10 +125,9 @@ Verdict verify_column_force(const VerifySettings& settings) {
   chart.series.push_back(measured_series("experiment", 0.3, 0.02, measured_force));
   verdict.charts = {std::move(chart)};
   verdict.remarks = {
-      fmt::format(
-          "Artificial viscosity {:g}. The wet bed, {:g} m deep, is one layer of particles at "
-          "dp 0.01 m; at dp {:g} m the floor is dry",
-          water_artificial_viscosity, bed_depth, coarse),
+      fmt::format("Artificial viscosity {:g}. The wet bed, {:g} m deep, is one layer of particles, "
+                  "flat ones at dp 0.02 m; at dp {:g} m the floor is dry",
+                  water_artificial_viscosity, bed_depth, coarse),
       "The force arrives at 0.30 to 0.31 s by both methods at dp 0.03 m and by fast at 0.02 and "
       "0.01 "
       "m. By Stoker (1957) a bore runs over 1 cm of water at 1.89 m/s and needs 0.26 s from the "
