@@ -22,7 +22,7 @@ class QuickCase : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(All, QuickCase, testing::Range<std::size_t>(0, verifications().size()),
                          [](const auto& k) {
                            std::string name(verifications()[k.param].name);
-                           std::ranges::replace(name, '-', '_');
+                           std::ranges::replace(name, '-', '_');  // GoogleTest wants a word
                            return name;
                          });
 
