@@ -32,7 +32,9 @@ WallContact HostBackend::contact_of(const Law& law, std::size_t i, const Vec3d& 
   const double pressure = fluid_.pressure[i] - at.density * distance * dot(force, normal);
   at.pressure = model_.yield.effective_pressure(pressure);
   const double convention = model_.strain_convention();
-  const double rate = convention * at.speed / distance;
+  // With its part across the wall: without it a particle that pressure drives straight out of the
+  // wall would be held by the viscosity at rest, that is by more than its yield stress.
+  const double rate = convention * norm(relative) / distance;
   const double halfway = 0.5 * (fluid_.pressure[i] + pressure);
   const Shear shear = shear_state<Law>(rate, halfway, model_.yield, yield_slope_);
   // u/d is the shear rate halfway to the wall. What the friction of the last step takes from the

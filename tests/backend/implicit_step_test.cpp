@@ -262,6 +262,27 @@ TEST(ImplicitStep, NeverAddsKineticEnergy) {
   }
 }
 
+// Pressure drives a particle straight out of the wall: what holds it there is the viscosity at that
+// speed, not the one at rest.
+TEST(WallResistance, IsThatOfTheWholeVelocity) {
+  FlowModel model = viscous(1);
+  model.rheology = Cross{1, 1e5, 1};
+  model.yield = {100, 0, 0};
+  std::vector<double> drag[2];
+  for (const bool is_across : {false, true}) {
+    model.periodic.period = {Vec3d{0.8, 0, 0}, Vec3d{0, 0.8, 0}, Vec3d{}};
+    Opened backend(model);
+    test::add_block(backend.fluid(), model, {0, 8, 0, 8, 0, 6});
+    test::add_block(backend.boundary(), model, {0, 8, 0, 8, -3, 0});
+    backend.fluid().velocity.assign(backend.fluid().size(),
+                                    is_across ? Vec3d{0, 0, 0.5} : Vec3d{0.5, 0, 0});
+    prepare(backend);
+    drag[is_across] = backend.wall_drag_;
+  }
+  EXPECT_GT(drag[0].front(), 0);
+  for (std::size_t i = 0; i < drag[0].size(); ++i) EXPECT_NEAR(drag[1][i], drag[0][i], 1e-9);
+}
+
 TEST(ImplicitStep, WithoutViscosityIsTheExplicitOne) {
   for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
     FlowModel model = viscous(0);
