@@ -71,10 +71,10 @@ void HostBackend::wall_resistance() {
   std::visit(with, model_.rheology, model_.wall);
 }
 
-// Fourtakas et al. 2019 leave the gradient of a fluid at rest alone, rho0 g / c^2, with c that of
-// the density there: c0 made the floor of a column carry 1 % too much. A layer on a slope is not at
-// rest under its weight alone: friction carries the part along the slope, which leaves no density
-// gradient there. At most that of a fluid at rest, whatever an impact does.
+// Fourtakas et al. 2019 leave the gradient of a fluid at rest alone, rho0 g / c^2. It takes the c
+// of the density at the place: with c0 the floor under a column came to carry 1 % too much. A layer
+// on a slope is not at rest under its weight alone: friction carries the part along the slope,
+// which leaves no density gradient there. At most that of a fluid at rest, whatever an impact does.
 void HostBackend::find_diffusion_background() {
   if (model_.diffusion_form != DiffusionForm::fourtakas) return;
   const Tait state = model_.state;

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "math/quad.hpp"
@@ -75,7 +76,8 @@ class ViscousSolver {
 
  private:
   static constexpr std::size_t block = 1024;
-  static constexpr double least_share = 1e-5;  // of the first residual
+  /// Of the first residual: what the precision of the products leaves.
+  static constexpr double least_share = 100 * std::numeric_limits<T>::epsilon();
 
   struct Sums {
     Dot energy{};  ///< residual . residual / diagonal

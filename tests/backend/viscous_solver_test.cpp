@@ -55,6 +55,15 @@ TEST(ViscousSolver, SolvesThreeComponentsInAsManyStepsAsUnknowns) {
   EXPECT_EQ(problem.solver.change[3].x, 0);
 }
 
+// A flow from rest without gravity has no scale of its own to measure a tolerance by.
+TEST(ViscousSolver, EndsWhereOnlyRoundingIsLeft) {
+  Problem problem;
+  const ViscousSolve outcome = problem.solve(0, 10);
+  EXPECT_TRUE(outcome.converged);
+  EXPECT_GE(outcome.iterations, 3);
+  EXPECT_NEAR(problem.solver.change[2].x, 3, 1e-12);
+}
+
 TEST(ViscousSolver, SaysThatItDidNotConverge) {
   Problem problem;
   const ViscousSolve outcome = problem.solve(1e-12, 1);
