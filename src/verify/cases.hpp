@@ -7,6 +7,9 @@ namespace sabo {
 // Each is one file of verify/cases, with everything that the case is about.
 
 Verdict verify_slab(const VerifySettings& settings);
+Verdict verify_slump(const VerifySettings& settings);
+Verdict verify_granular_collapse(const VerifySettings& settings);
+Verdict verify_frictional_dam_break(const VerifySettings& settings);
 Verdict verify_invariance(const VerifySettings& settings);
 Verdict verify_yohutagawa(const VerifySettings& settings);
 Verdict verify_runout(const VerifySettings& settings);
