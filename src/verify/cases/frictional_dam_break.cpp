@@ -1,0 +1,164 @@
+// A reservoir of grains breaks on a slope of 30 degrees with a wall friction of 25: beside the
+// depth-averaged solution.
+//
+// The slope is a level bed under tilted gravity. The grains have an internal friction of 25 degrees
+// too: no wall holds a flow more than sticking to it would, and to a fluid of a small viscosity
+// alone that is next to nothing.
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "verify/cases.hpp"
+#include <fmt/format.h>
+
+#include "solver/flow_model.hpp"
+#include "solver/lattice.hpp"
+#include "solver/make_backend.hpp"
+#include "solver/make_stepper.hpp"
+
+namespace sabo {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180;
+constexpr double g = 9.81, slope = 30 * radians, h0 = 0.5, reservoir = 4, bed = 8;  // m
+constexpr double internal_friction = 25;                                            // degrees
+const double unit_time = std::sqrt(h0 / g);
+
+/// Mangeney, Heinrich & Roche 2000: h = (2 c0 - x/t + m t/2)^2 / (9 g cos(slope)), with m the part
+/// of gravity that friction leaves.
+struct DepthAveraged {
+  double friction;  ///< of the wall, degrees
+
+  /// Where the depth is `depth` (m) at the time t, m.
+  double place(double t, double depth) const {
+    const double normal = g * std::cos(slope);
+    const double m = g * std::sin(slope) - normal * std::tan(friction * radians);
+    return t * (2 * std::sqrt(normal * h0) + m * t / 2 - 3 * std::sqrt(normal * depth));
+  }
+};
+
+/// The volume over each length of 0.1 m is its depth.
+double place_of_depth(const Particles& fluid, double spacing, double depth) {
+  constexpr double width = 0.1, step = 0.02, first = -1;
+  std::vector<double> volume(static_cast<std::size_t>((bed - first) / step), 0);
+  for (const Vec3d& p : fluid.position)
+    for (std::size_t k = 0; k < volume.size(); ++k) {
+      const double x = first + step * static_cast<double>(k);
+      const double inside =
+          std::min(x + width / 2, p.x + spacing / 2) - std::max(x - width / 2, p.x - spacing / 2);
+      volume[k] += std::max(0.0, inside) * spacing;
+    }
+  for (std::size_t k = volume.size() - 1; k > 0; --k)
+    if (volume[k - 1] >= depth * width && volume[k] < depth * width)
+      return first + step * (static_cast<double>(k) -
+                             (depth * width - volume[k]) / (volume[k - 1] - volume[k]));
+  return first;
+}
+
+/// Places of the tip and of a tenth of the depth at whole multiples of the unit of time.
+struct Track {
+  std::vector<double> tip, tenth;  ///< m
+};
+
+struct Material {
+  double wall_friction, internal_friction;  ///< degrees
+};
+
+Track track(const Material& grains, int cells, const VerifySettings& settings,
+            const std::function<void(double)>& on_share) {
+  NumericsCase numerics = settings.numerics();
+  numerics.spacing = h0 / cells;
+  numerics.wall = WallLaw::coulomb;
+  numerics.wall_friction_angle = grains.wall_friction;
+  MaterialCase material;
+  material.density = 1500;
+  material.law = Cross{1, 1e4, 1};
+  material.yield = {0, grains.internal_friction, 0};
+  FlowModel model = flow_model(material, numerics, h0);
+  model.dimension = 2;
+  model.gravity = {g * std::sin(slope), 0, -g * std::cos(slope)};
+  const auto backend = make_backend(numerics.backend, model);
+  const int back = static_cast<int>(std::lround(reservoir / numerics.spacing));
+  const int front = static_cast<int>(std::lround(bed / numerics.spacing));
+  const int layers = model.wall_layers();
+  add_block(backend->fluid(), model, {-back, 0, 0, 1, 0, cells});
+  add_block(backend->boundary(), model, {-back - layers, front, 0, 1, -layers, 0});
+  add_block(backend->boundary(), model, {-back - layers, -back, 0, 1, 0, 2 * cells});
+  make_hydrostatic(*backend, h0);
+  const auto stepper = make_stepper(numerics, *backend, nullptr);
+  Track result;
+  for (int k = 1; k <= 6; ++k) {
+    const double time = k * unit_time;
+    while (stepper->time() < time) stepper->step(time - stepper->time());
+    double tip = -reservoir;
+    for (const Vec3d& p : backend->fluid().position) tip = std::max(tip, p.x);
+    result.tip.push_back(tip);
+    result.tenth.push_back(place_of_depth(backend->fluid(), numerics.spacing, 0.1 * h0));
+    on_share(1.0 / 6);
+  }
+  return result;
+}
+
+ChartSeries over_time(std::string name, const std::vector<double>& places) {
+  ChartSeries series{std::move(name)};
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    series.x.push_back(static_cast<double>(k + 1));
+    series.y.push_back(places[k]);
+  }
+  return series;
+}
+
+ChartSeries exact(std::string name, double depth) {
+  ChartSeries series{std::move(name), {}, {}, true, false};
+  for (double k = 1; k <= 6; k += 0.5) {
+    series.x.push_back(k);
+    series.y.push_back(DepthAveraged{25}.place(k * unit_time, depth));
+  }
+  return series;
+}
+
+}  // namespace
+
+Verdict verify_frictional_dam_break(const VerifySettings& settings) {
+  const bool is_quick = settings.is_quick();
+  const int cells = is_quick ? 10 : 40;
+  double done = 0;
+  const auto on_share = [&](double weight) {
+    return [&, weight](double share) { settings.on_progress(done += weight * share); };
+  };
+  Verdict verdict;
+  const DepthAveraged reference{25};
+  const std::string at = fmt::format("h0/dp {}", cells);
+  const Track found = track({25, internal_friction}, cells, settings, on_share(0.6));
+  for (const int k : {4, 5, 6})
+    verdict.claims.push_back(Claim::within_share(
+        fmt::format("depth h0/10 at {} √(h0/g), {}", k, at), "m", found.tenth[k - 1],
+        reference.place(k * unit_time, 0.1 * h0), is_quick ? 0.15 : 0.1));
+  if (!is_quick)
+    for (const int k : {2, 4, 6})
+      verdict.claims.push_back(
+          Claim::within_share(fmt::format("foremost particle at {} √(h0/g), {}", k, at), "m",
+                              found.tip[k - 1], reference.place(k * unit_time, 0), 0.1));
+
+  const int coarse = is_quick ? 10 : 20;
+  const Track slippery = track({15, 15}, coarse, settings, on_share(0.2));
+  verdict.claims.push_back(
+      Claim::at_least(fmt::format("15° instead of 25°: depth h0/10 at 6 √(h0/g), h0/dp {}", coarse),
+                      "m", slippery.tenth[5], 1.1 * reference.place(6 * unit_time, 0.1 * h0)));
+  if (!is_quick) {
+    const Track free = track({0, 0}, coarse, settings, on_share(0.2));
+    verdict.claims.push_back(Claim::told(
+        "no friction at all: foremost particle at 4 √(h0/g), h0/dp 20; beside its own solution",
+        "m", free.tip[3], DepthAveraged{0}.place(4 * unit_time, 0)));
+  }
+  LineChart chart{"Dam break on 30°, wall friction 25°", "time over √(h0/g)", "place [m]"};
+  chart.series = {over_time("foremost particle, " + at, found.tip),
+                  over_time("depth h0/10, " + at, found.tenth), exact("front, depth-averaged", 0),
+                  exact("depth h0/10, depth-averaged", 0.1 * h0)};
+  verdict.charts = {std::move(chart)};
+  settings.on_progress(1);
+  return verdict;
+}
+
+}  // namespace sabo
