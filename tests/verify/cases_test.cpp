@@ -1,5 +1,6 @@
 // Every case in its quick form, by every method it is for; gates are those of the case.
 
+#include <algorithm>
 #include <set>
 
 #include "support/temporary_folder.hpp"
@@ -19,7 +20,11 @@ TEST(Verifications, HaveNamesOfTheirOwn) {
 
 class QuickCase : public testing::TestWithParam<std::size_t> {};
 INSTANTIATE_TEST_SUITE_P(All, QuickCase, testing::Range<std::size_t>(0, verifications().size()),
-                         [](const auto& k) { return std::string(verifications()[k.param].name); });
+                         [](const auto& k) {
+                           std::string name(verifications()[k.param].name);
+                           std::ranges::replace(name, '-', '_');  // names of tests are identifiers
+                           return name;
+                         });
 
 TEST_P(QuickCase, MeetsItsGatesByTheDefaultMethod) {
   const Verification& verification = verifications()[GetParam()];
