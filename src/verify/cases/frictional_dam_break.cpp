@@ -152,6 +152,13 @@ Verdict verify_frictional_dam_break(const VerifySettings& settings) {
         "no friction at all: foremost particle at 4 √(h0/g), h0/dp 20; beside its own solution",
         "m", free.tip[3], DepthAveraged{0}.place(4 * unit_time, 0)));
   }
+  if (!is_quick)
+    verdict.remarks.push_back(
+        "The front of the depth-averaged solution is a film, thinner than a tenth of the depth for "
+        "the last two fifths of its way, and has its full speed from the start. A flow that "
+        "resolves its depth has to fall first: without any friction it is behind its own solution "
+        "as well. From h0/dp 20 to 40 the foremost particle at 4 √(h0/g) goes from 0.63 to 0.69 of "
+        "the way.");
   LineChart chart{"Dam break on 30°, wall friction 25°", "time over √(h0/g)", "place [m]"};
   chart.series = {over_time("foremost particle, " + at, found.tip),
                   over_time("depth h0/10, " + at, found.tenth), exact("front, depth-averaged", 0),

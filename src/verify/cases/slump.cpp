@@ -187,6 +187,13 @@ Verdict verify_slump(const VerifySettings& settings) {
     verdict.claims.push_back(
         Claim::told("the same, when none may sleep; beside ρ g H0²/(8 μ0) of a free column", "m",
                     sinking(false, coarse, settings), creep));
+  if (!is_quick)
+    verdict.remarks = {
+        "The solution ends in an upright front of height πb; the toe of the simulated one bulges "
+        "beyond it. There the theory, for thin slumps, does not hold.",
+        "Where none may sleep the column with B 0.4 sinks at a speed that does not fall with μ0: "
+        "particles at its free sides tremble, and the shear rate of that keeps the viscosity "
+        "below μ0. Asleep it is at rest."};
   settings.on_progress(1);
   return verdict;
 }
