@@ -174,8 +174,9 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
         "numerics.reference_speed = {:.0f} would keep it below",
         facts.top_mach, facts.top_speed * 10 / c.numerics.sound_speed_factor));
   if (!rows.empty() && rows.back().volumes[0].put_back > 0)
-    lines.push_back(fmt::format("{} times a particle was found below the ground and put back",
-                                rows.back().volumes[0].put_back));
+    lines.push_back(
+        fmt::format("{} times a particle was found in the ground or a solid and put back",
+                    rows.back().volumes[0].put_back));
   return lines;
 }
 

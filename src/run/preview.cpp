@@ -208,7 +208,7 @@ void tell_lines(Preview& preview, const Case& c, const Scene& scene) {
   }
   for (std::size_t k = 0; k < scene.zones.size(); ++k) {
     const double area = Zone(scene.surface->elevation(), scene.zones[k].polygons).area();
-    preview.line("Zones", fmt::format("{}: {:.0f} m2", scene.zones[k].name, area));
+    preview.line("Zones", fmt::format("{}: {} m2", scene.zones[k].name, amount_text(area)));
   }
   const double run = length(scene.path);
   if (!(run > 0)) return;

@@ -71,7 +71,8 @@ TriangleMesh read_closed_mesh(const BodyCase& c, const std::string& key, double 
   const TriangleMesh read = read_mesh(c.file, key);
   refuse_if_coarse(read, c, spacing, key);
   const TriangleMesh whole = placed(read, c, frame, key);
-  TriangleMesh mesh = welded(whole, same_vertex * norm(bounds_of(whole).size()));
+  const double size = norm(bounds_of(whole).size());
+  TriangleMesh mesh = size > 0 ? welded(whole, same_vertex * size) : TriangleMesh{};
   const MeshGaps gaps = orient_outwards(mesh);
   if (gaps.open_edges > 0) {
     throw CaseError(

@@ -69,7 +69,8 @@ Bounds box_of(const std::array<double, 6>& box, const Frame& frame) {
 Particles released_by(const Case& c, const Scene& scene) {
   const ReleaseSettings settings{c.numerics.spacing, c.material.density, scene.frame};
   if (c.release.box)
-    return released(*scene.surface, box_of(*c.release.box, scene.frame), scene.bodies, settings);
+    return released_box(*scene.surface, box_of(*c.release.box, scene.frame), scene.bodies,
+                        settings);
   if (c.release.points.empty()) return released(*scene.surface, release_shape(c, scene), settings);
   const auto& offset = c.release.points_offset;
   std::vector<Vec3d> points = read_points(c.release.points, Vec3d{offset[0], offset[1], offset[2]});

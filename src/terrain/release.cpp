@@ -218,8 +218,8 @@ Particles released(const Surface& surface, const std::vector<Vec3d>& points, dou
   return at_rest(sites_in_cubes(surface, points, side, spacing), volume, settings.density);
 }
 
-Particles released(const Surface& surface, const Bounds& box, const std::vector<Body>& bodies,
-                   const ReleaseSettings& settings) {
+Particles released_box(const Surface& surface, const Bounds& box, const std::vector<Body>& bodies,
+                       const ReleaseSettings& settings) {
   const double spacing = settings.spacing;
   const Vec3d size = box.size();
   refuse_unless_fits(size.x * size.y * size.z / (spacing * spacing * spacing), most_particles);

@@ -62,7 +62,7 @@ Particles released(const Surface& surface, const std::vector<Vec3d>& points, dou
 /// fit, and so do the particles of each. What would stand in a body, or nearer to it than a quarter
 /// of a spacing, is left out. All masses are equal and add up to the volume that is filled times
 /// the density; ids and errors as above.
-Particles released(const Surface& surface, const Bounds& box, const std::vector<Body>& bodies,
-                   const ReleaseSettings& settings);
+Particles released_box(const Surface& surface, const Bounds& box, const std::vector<Body>& bodies,
+                       const ReleaseSettings& settings);
 
 }  // namespace sabo

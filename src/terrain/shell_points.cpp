@@ -187,20 +187,26 @@ class Shell {
     return body_.is_behind(place) ? surface->distance : -surface->distance;
   }
 
-  /// Brings a place near the surface to half a spacing behind it, unless the solid is too thin.
+  /// Brings a place near the surface to half a spacing behind it, unless the solid is too thin;
+  /// once for each face of a corner.
   void settle(Vec3d& place) const {
-    // Once for each face of a corner.
-    for (int face = 0; face < 3; ++face) settle_behind_nearest(place);
+    for (int face = 0; face < 3; ++face)
+      if (!settle_behind_nearest(place)) return;
   }
 
-  void settle_behind_nearest(Vec3d& place) const {
+  /// Returns whether the place has moved.
+  bool settle_behind_nearest(Vec3d& place) const {
+    const double wanted = spacing_ / 2, rounding = 1e-9 * spacing_;
     const auto surface = body_.distance().nearest(place, first_layer * spacing_);
-    if (!surface || !(surface->distance > 1e-6 * spacing_)) return;
+    if (!surface || surface->distance < rounding) return false;
+    if (std::abs(surface->distance - wanted) < rounding) return false;
     const double side = body_.is_behind(place) ? 1 : -1;
     const Vec3d inwards = side / surface->distance * (place - surface->point);
-    const Vec3d settled = surface->point + spacing_ / 2 * inwards;
-    const double wanted = std::min(spacing_ / 2, depth_of(place));
-    if (depth_of(settled) >= wanted - 1e-9 * spacing_) place = settled;
+    const Vec3d settled = surface->point + wanted * inwards;
+    const double least = std::min(wanted, side * surface->distance);
+    if (depth_of(settled) < least - rounding) return false;
+    place = settled;
+    return true;
   }
 
   const Body& body_;

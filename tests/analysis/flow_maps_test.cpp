@@ -28,6 +28,18 @@ double sum(const Raster& map) {
   return total;
 }
 
+TEST(WetDepth, FollowsTheSpacingOfTheLaboratory) {
+  EXPECT_EQ(wet_depth(1), 0.05);
+  EXPECT_EQ(wet_depth(0.02), 0.01);
+  // Layers 2 cm deep on cells of 10 cm, of particles of 2 cm.
+  Columns columns(Raster({2, 1, 0, 0.1, 0.1, 0.1}, 0), 0.02, 1000);
+  Particles one = cloud({{0.05, 0.05, 0.01}});
+  one.mass[0] = 1000 * 0.02 * 0.1 * 0.1;
+  columns.update(one);
+  EXPECT_TRUE(columns.is_wet(0));
+  EXPECT_FALSE(columns.is_wet(1));
+}
+
 // Spacing 0.5: the square is one cell, 2 m. Its centre is 0.5 m east and 0.5 m south of the centre
 // (13, 17) of cell (1, 1): three quarters by three quarters stay there.
 TEST(Spreader, shares_are_areas_of_overlap) {

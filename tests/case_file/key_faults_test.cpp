@@ -112,7 +112,7 @@ TEST(KeyFaults, MissingKey) {
 
 TEST(KeyFaults, MissingTable) {
   EXPECT_THAT(replaced("[terrain]\ndem = \"dem.tif\"\n", ""),
-              ElementsAre("case.toml terrain.dem: is missing; give a file name in quotes"));
+              ElementsAre("case.toml terrain: has no ground; give one of dem and plane"));
 }
 
 TEST(KeyFaults, MissingKeysOfAListAndItsTable) {

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/plan_outline.hpp"
 #include "geometry/solid_angle.hpp"
 #include "support/meshes.hpp"
 #include <gtest/gtest.h>
@@ -62,6 +63,12 @@ TEST(TankMesh, ItsBoxesFillIt) {
     }
     EXPECT_NEAR(sum, volume(tank_mesh(inside, 0.5, is_open)), 1e-12);
   }
+}
+
+TEST(PlanOutline, IsConvexAndAnticlockwise) {
+  TriangleMesh mesh = box_mesh({{0, 0, 0}, {2, 1, 5}, {}, 0});
+  append(mesh, box_mesh({{0.5, 0.2, 0}, {1, 0.7, 9}, {}, 0}));
+  EXPECT_EQ(plan_outline(mesh), (std::vector<Vec3d>{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {0, 1, 0}}));
 }
 
 TEST(Welded, JoinsVerticesWithinTheTolerance) {

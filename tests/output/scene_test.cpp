@@ -1,9 +1,11 @@
 #include <cmath>
 
+#include "geometry/box_mesh.hpp"
 #include "support/fault_of.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/output/scene_bodies.hpp"
 #include "io/output/scene_overlay.hpp"
 #include "io/output/scene_picture.hpp"
 #include "io/output/scene_shading.hpp"
@@ -206,6 +208,38 @@ TEST(ChooseDirection, LooksSteeplyIntoAGorge) {
     const SceneMesh mesh = scene_mesh({ground, depth, depth, 0.05}, {0, 0, 100, 60}, 10'000, 1);
     EXPECT_EQ(choose_direction(mesh, {.azimuth = 0}).down, height < 10 ? 35 : 65) << height;
   }
+}
+
+TEST_F(FieldScene, ABodyIsSeenFromOutside) {
+  const SceneBody body{"house", box_mesh({{10, 15, 4}, {30, 25, 10}, {}, 0})};
+  draw_body(canvas_, body, mesh_, view_, {0, 0, 1});
+  EXPECT_EQ(sample_at({20, 15, 7.5}).shown, Shown::wall);  // the near side
+  EXPECT_EQ(sample_at({20, 20, 10}).shown, Shown::wall);   // its top
+  EXPECT_GT(sample_at({20, 20, 10}).shade, sample_at({20, 15, 7.5}).shade);
+  EXPECT_EQ(sample_at({20, 5, 5}).shown, Shown::ground);
+  SceneLabels labels(page());
+  label_body(page(), body, labels);
+  EXPECT_THAT(labels.svg(), HasSubstr(">house</text>"));
+}
+
+TEST_F(FieldScene, ATankIsSeenInto) {
+  SceneBody tank{"", box_mesh({{10, 15, 5}, {30, 25, 10}, {}, 0})};
+  std::erase_if(tank.mesh.triangles, [&](const Triangle& t) {
+    return tank.mesh.vertices[t[0]].z + tank.mesh.vertices[t[1]].z + tank.mesh.vertices[t[2]].z ==
+           15;  // its floor
+  });
+  for (Triangle& t : tank.mesh.triangles) std::swap(t[1], t[2]);
+  draw_body(canvas_, tank, mesh_, view_, {0, 0, 1});
+  EXPECT_EQ(sample_at({20, 15, 7.5}).shown, Shown::ground);  // through its near side
+  EXPECT_EQ(sample_at({20, 25, 7.5}).shown, Shown::wall);    // the inside of its far side
+}
+
+TEST(SceneBodies, AreCutAtTheEdgesOfTheView) {
+  const TriangleMesh box = box_mesh({{0, 0, 0}, {4, 2, 1}, {}, 0});
+  // Floor and top from x = 1 to 3 and y = 0 to 1, the side at y = 0 between them.
+  EXPECT_NEAR(area(within({1, -1, 3, 1}, box)), 2 + 2 + 2, 1e-12);
+  EXPECT_NEAR(area(within({-1, -1, 9, 9}, box)), area(box), 1e-12);
+  EXPECT_EQ(within({5, 0, 9, 9}, box).triangles.size(), 0u);
 }
 
 // The text of a picture without its pixels.

@@ -144,6 +144,16 @@ TEST_F(Vtp, SurfaceIsThinnedToTheNumberOfPoints) {
   EXPECT_EQ(VtpReader(folder_.read("g.vtp")).array<float>("elevation [m]").size(), 1250u);
 }
 
+TEST_F(Vtp, MeshHasItsTrianglesAndNumbers) {
+  const TriangleMesh mesh{{{0, 0, 0}, {1, 0, 0}, {0, 2, 0}, {0, 0, 3}}, {{0, 2, 1}, {0, 1, 3}}};
+  write_mesh_vtp(folder_ / "b.vtp", mesh, {1, 1, 1, 2}, {10, 20, 0});
+  const VtpReader file(folder_.read("b.vtp"));
+  EXPECT_THAT(file.array<float>("position [m]"), ElementsAre(0, 0, 0, 1, 0, 0, 0, 2, 0, 0, 0, 3));
+  EXPECT_THAT(file.array<float>("body"), ElementsAre(1, 1, 1, 2));
+  EXPECT_THAT(file.array<std::int32_t>("connectivity"), ElementsAre(0, 2, 1, 0, 1, 3));
+  EXPECT_THROW(write_mesh_vtp(folder_ / "b.vtp", mesh, {1, 1}, {}), RunError);
+}
+
 TEST_F(Vtp, ListOfFramesIsCompleteAfterEachFrame) {
   PvdWriter list(folder_ / "run.pvd");
   list.add(0, "f_0.vtp");

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "io/case_file/read_case.hpp"
+#include "physics/equation_of_state.hpp"
 #include "run/new_case.hpp"
 #include "run/preview.hpp"
 #include "run/preview_picture.hpp"
@@ -107,7 +108,7 @@ scale = 2
   ASSERT_EQ(scene.bodies.size(), 2u);
   // Walls and floor of 0.3 m around 8 x 4 x 1.
   const std::string text = preview_text(world.c, scene, "");
-  EXPECT_THAT(text, HasSubstr("tank: tank, a solid of 19.42 m3"));
+  EXPECT_THAT(text, HasSubstr("tank: tank, a solid of 19.43 m3"));
   EXPECT_THAT(text, HasSubstr("body 2: mesh, a solid of 8 m3 and 24 m2, 12 triangles, watertight"));
   EXPECT_THAT(text, HasSubstr("2 x 2 x 2 m, from 0 to 2 m high"));
   EXPECT_THAT(preview_svg(world.c, scene), HasSubstr("body 2"));

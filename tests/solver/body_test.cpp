@@ -31,7 +31,7 @@ struct World {
         ground(surface, {}, {dp, 3, model.state.rho0}, bodies),
         domain(ground),
         backend(make_backend(BackendKind::cpu, model)) {
-    backend->fluid() = released(surface, water, bodies, {dp, model.state.rho0, {}});
+    backend->fluid() = released_box(surface, water, bodies, {dp, model.state.rho0, {}});
     make_hydrostatic(*backend, water.high.z);
   }
 };
@@ -47,7 +47,9 @@ Body mesh_hollow(const UprightBox& inside) {
 }
 
 void expect_rest(Method method, const Body& tank, const Bounds& water) {
-  World world(test::plain_model(dp, 25, 5), water, {tank});
+  FlowModel model = test::plain_model(dp, 25, 5);
+  model.diffusion_form = DiffusionForm::fourtakas;  // the other one is not for rest
+  World world(model, water, {tank});
   const std::size_t count = world.backend->fluid().size();
   const auto stepper = test::stepper_of(method, *world.backend, &world.domain);
   while (stepper->time() < 1) stepper->step();
@@ -79,7 +81,11 @@ TEST(Tank, InARoundHollowWaterStaysInside) {
   const Body bowl("bowl", test::sphere_mesh({0, 0, 1.2}, 0.6, 16, 24), FlowSide::inside, reach);
   for (const Method method : test::both_methods) {
     World world(test::plain_model(dp, 25, 5), {{-0.6, -0.6, 0.6}, {0.6, 0.6, 1.2}}, {bowl});
-    const std::size_t count = world.backend->fluid().size();
+    std::vector<std::uint32_t> inside;
+    for (std::uint32_t i = 0; i < world.backend->fluid().size(); ++i)
+      if (norm(world.backend->fluid().position[i] - Vec3d{0, 0, 1.2}) < 0.6) inside.push_back(i);
+    world.backend->fluid().permute(inside);
+    const std::size_t count = inside.size();
     EXPECT_GT(count, 300u);
     const auto stepper = test::stepper_of(method, *world.backend, &world.domain);
     while (stepper->time() < 1) stepper->step();
@@ -90,7 +96,8 @@ TEST(Tank, InARoundHollowWaterStaysInside) {
   }
 }
 
-// Water that falls over a box and a ball on the floor, with walls that hold nothing back.
+// Water that is thrown at a box and a ball on the floor, with walls that hold nothing back. Impacts
+// press particles a little into a wall; beyond a tenth of a spacing they are put back.
 TEST(Obstacle, IsNeverPenetrated) {
   const UprightBox block{{-0.2, -0.2, 0}, {0.2, 0.2, 0.4}, {}, 0.6};
   const Body box("box", box_mesh(block), FlowSide::outside, reach, {block});
@@ -106,17 +113,16 @@ TEST(Obstacle, IsNeverPenetrated) {
       stepper->step();
       for (const Vec3d& x : world.backend->fluid().position) {
         has_passed = has_passed || x.x > 1.3;
-        // A particle may be in a wall by less than a tenth of a spacing.
         if (!world.ground.is_solid(x)) continue;
         for (const Body* body : {&box, &ball}) {
           if (body->contains(x)) {
-            EXPECT_LT(body->distance().nearest(x, 1)->distance, 0.35 * dp) << word_of(method);
+            EXPECT_LT(body->distance().nearest(x, 1)->distance, 0.25 * dp) << word_of(method);
           }
         }
       }
     }
     EXPECT_TRUE(has_passed) << word_of(method);
-    EXPECT_LT(world.domain.put_back_count(), 20u) << word_of(method);
+    EXPECT_LT(world.domain.put_back_count(), 60u) << word_of(method);
   }
 }
 

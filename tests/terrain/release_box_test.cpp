@@ -23,7 +23,7 @@ double mass_of(const Particles& p) {
 TEST(ReleasedBox, FitsItsSidesWhateverTheirLength) {
   const Surface surface(Raster(square_grid(-5, 5, 0.5), 0));
   const Bounds box{{0.03, 0.05, 0.2}, {1.06, 0.55, 0.61}};
-  const Particles p = released(surface, box, {}, settings);
+  const Particles p = released_box(surface, box, {}, settings);
   EXPECT_EQ(p.size(), 10u * 5 * 4);
   EXPECT_NEAR(mass_of(p), 1000 * 1.03 * 0.5 * 0.41, 1e-9);
   std::set<double> x, z;
@@ -38,7 +38,7 @@ TEST(ReleasedBox, FitsItsSidesWhateverTheirLength) {
 
 TEST(ReleasedBox, StandsOnTheGroundWithALevelTop) {
   const Surface slope(raster_of(square_grid(-5, 5, 0.5), [](double x, double) { return 0.5 * x; }));
-  const Particles p = released(slope, {{0, 0, -9}, {1, 1, 1}}, {}, settings);
+  const Particles p = released_box(slope, {{0, 0, -9}, {1, 1, 1}}, {}, settings);
   // Under z = 1, over 0.5 x: 1 - 0.25.
   EXPECT_NEAR(mass_of(p), 750, 2);
   double top = 0;
@@ -53,7 +53,7 @@ TEST(ReleasedBox, LeavesBodiesOut) {
   const Surface surface(Raster(square_grid(-5, 5, 0.5), 0));
   const UprightBox inner{{0.3, 0.3, 0}, {0.6, 0.7, 0.5}, {}, 0};
   const Body body("box", box_mesh(inner), FlowSide::outside, 0.3, {inner});
-  const Particles p = released(surface, {{0, 0, 0}, {1, 1, 1}}, {body}, settings);
+  const Particles p = released_box(surface, {{0, 0, 0}, {1, 1, 1}}, {body}, settings);
   EXPECT_EQ(p.size(), 1000u - 3 * 4 * 5);
   EXPECT_NEAR(mass_of(p), 1000 - 60, 1e-9);
   for (const Vec3d& at : p.position) EXPECT_FALSE(body.contains(at));
@@ -61,9 +61,9 @@ TEST(ReleasedBox, LeavesBodiesOut) {
 
 TEST(ReleasedBox, RefusesABoxBesideTheGroundOrBelow) {
   const Surface surface(Raster(square_grid(-5, 5, 0.5), 0));
-  EXPECT_THROW(released(surface, {{4, 4, 0}, {6, 5, 1}}, {}, settings), CaseError);
-  EXPECT_THROW(released(surface, {{0, 0, -2}, {1, 1, -1}}, {}, settings), CaseError);
-  EXPECT_THROW(released(surface, {{0, 0, 0}, {1, 1, 1e9}}, {}, settings), CaseError);
+  EXPECT_THROW(released_box(surface, {{4, 4, 0}, {6, 5, 1}}, {}, settings), CaseError);
+  EXPECT_THROW(released_box(surface, {{0, 0, -2}, {1, 1, -1}}, {}, settings), CaseError);
+  EXPECT_THROW(released_box(surface, {{0, 0, 0}, {1, 1, 1e9}}, {}, settings), CaseError);
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ struct Flume {
   double start = 0.4, gate = 1;
   double half_width = 0.15;
   double thickness = 0.1;  // of the walls
-  double height = 0.3;
+  double height = 0.25;
   double depth = 0.1;  // of the walls in the bed
 
   double bed(double x) const { return (length - x) * std::tan(slope * std::numbers::pi / 180); }
@@ -129,7 +129,7 @@ std::string flume_text() {
   return fmt::format(fmt::runtime(flume), fmt::arg("slope", f.slope), fmt::arg("height", f.height),
                      fmt::arg("start", f.start), fmt::arg("gate", f.gate),
                      fmt::arg("half_width", f.half_width),
-                     fmt::arg("surface", f.bed(f.gate) + 0.25));
+                     fmt::arg("surface", f.bed(f.gate) + 0.2));
 }
 
 std::string flume_walls_text() {

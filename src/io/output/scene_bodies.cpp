@@ -14,7 +14,37 @@ Vec3d drawn(Vec3d point, const SceneMesh& mesh) {
   return point;
 }
 
+/// The part of a polygon where `inside` (m, linear in the place) is not negative.
+template <class Inside>
+std::vector<Vec3d> cut(const std::vector<Vec3d>& polygon, const Inside& inside) {
+  std::vector<Vec3d> kept;
+  for (std::size_t k = 0; k < polygon.size(); ++k) {
+    const Vec3d &a = polygon[k], &b = polygon[(k + 1) % polygon.size()];
+    const double at_a = inside(a), at_b = inside(b);
+    if (at_a >= 0) kept.push_back(a);
+    if ((at_a >= 0) != (at_b >= 0)) kept.push_back(a + at_a / (at_a - at_b) * (b - a));
+  }
+  return kept;
+}
+
 }  // namespace
+
+// Sutherland & Hodgman (1974).
+TriangleMesh within(const MapView& view, const TriangleMesh& mesh) {
+  TriangleMesh result;
+  for (std::size_t t = 0; t < mesh.triangles.size(); ++t) {
+    std::vector<Vec3d> part{mesh.corner(t, 0), mesh.corner(t, 1), mesh.corner(t, 2)};
+    part = cut(part, [&](const Vec3d& p) { return p.x - view.west; });
+    part = cut(part, [&](const Vec3d& p) { return view.east - p.x; });
+    part = cut(part, [&](const Vec3d& p) { return p.y - view.south; });
+    part = cut(part, [&](const Vec3d& p) { return view.north - p.y; });
+    const auto first = static_cast<std::uint32_t>(result.vertices.size());
+    result.vertices.insert(result.vertices.end(), part.begin(), part.end());
+    for (std::uint32_t k = 2; k < part.size(); ++k)
+      result.triangles.push_back({first, first + k - 1, first + k});
+  }
+  return result;
+}
 
 void draw_body(DepthCanvas& canvas, const SceneBody& body, const SceneMesh& mesh,
                const CanvasView& view, const Vec3d& to_light) {

@@ -16,6 +16,9 @@ struct SceneBody {
   TriangleMesh mesh = {};  ///< faces look outwards from the solid
 };
 
+/// What of a mesh is over a rectangle of the ground, cut along its edges.
+TriangleMesh within(const MapView& view, const TriangleMesh& mesh);
+
 /// Draws a body, lit from a direction (unit vector towards the light).
 void draw_body(DepthCanvas& canvas, const SceneBody& body, const SceneMesh& mesh,
                const CanvasView& view, const Vec3d& to_light);

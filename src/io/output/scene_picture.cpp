@@ -126,6 +126,7 @@ struct Drawing {
   LookDirection direction;
   CanvasView view = {};
   std::vector<std::vector<std::vector<WallCut>>> walls = {};  // the pieces of each
+  std::vector<SceneBody> bodies = {};                         // what of them is in the view
   double height = tallest;                                    // px
   double contour = 10;                                        // m
   double top = 48;                                            // px, of the picture on the page
@@ -171,10 +172,8 @@ LookDirection direction_for(const ScenePicture& scene, const SceneData& data) {
 }
 
 Drawing drawing_of(const ScenePicture& scene, const SceneData& data) {
-  Drawing d{scene,
-            scene_mesh(data, scene.view, mesh_size, scene.exaggeration),
-            direction_for(scene, data),
-            {}};
+  Drawing d{scene, scene_mesh(data, scene.view, mesh_size, scene.exaggeration),
+            direction_for(scene, data)};
   light_mesh(d.mesh, light_for(d.direction));
   std::vector<Vec3d> points = points_to_show(d.mesh);
   for (const SceneWall& wall : scene.walls) {
@@ -184,8 +183,11 @@ Drawing drawing_of(const ScenePicture& scene, const SceneData& data) {
     }
   }
   std::vector<Vec3d> of_bodies;
-  for (const SceneBody& body : scene.bodies)
-    for (const Vec3d& v : body.mesh.vertices) of_bodies.push_back({v.x, v.y, d.mesh.drawn(v.z)});
+  for (const SceneBody& body : scene.bodies) {
+    d.bodies.push_back({body.label, within(scene.view, body.mesh)});
+    for (const Vec3d& v : d.bodies.back().mesh.vertices)
+      of_bodies.push_back({v.x, v.y, d.mesh.drawn(v.z)});
+  }
   points.insert(points.end(), of_bodies.begin(), of_bodies.end());
   d.view.camera = camera_around(points, d.direction, picture_width, tallest, d.mesh.spacing());
   const Rows rows = rows_shown(d.mesh, of_bodies, d.view.camera);
@@ -215,7 +217,7 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
   for (const auto& pieces : d.walls) {
     draw_wall(canvas, pieces, d.view, light_for(d.direction));
   }
-  for (const SceneBody& body : scene.bodies)
+  for (const SceneBody& body : d.bodies)
     draw_body(canvas, body, d.mesh, d.view, light_for(d.direction));
 
   const double top_value = scene.top.value_or(greatest_value(d.mesh));
@@ -229,7 +231,7 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
   for (std::size_t k = 0; k < d.walls.size(); ++k) {
     label_wall(page, scene.walls[k], d.walls[k], labels);
   }
-  for (const SceneBody& body : scene.bodies) label_body(page, body, labels);
+  for (const SceneBody& body : d.bodies) label_body(page, body, labels);
   for (const MapLine& line : scene.lines) svg += draw_draped(page, line, labels);
   svg += labels.svg();
   if (top_value > 0) {
