@@ -21,6 +21,10 @@ constexpr double half_plate = 6 * thickness;  // m; sheets leave it along its fa
 constexpr double turn = thickness / speed;    // s
 constexpr double plateau_start = 3 * turn, plateau_end = 8 * turn, end = 9 * turn;
 
+// With the 0.02 of the other water cases the sheets that leave along the plate, and stretch, come
+// under tension until a density leaves its range.
+constexpr double artificial_viscosity = 0.05;
+
 struct Strike {
   TimeIntegral force;   ///< on the plate, per metre across
   double momentum = 0;  ///< that the jet had towards the plate, kg m/s
@@ -40,6 +44,7 @@ Strike simulated(const VerifySettings& settings, int layers, double density,
   NumericsCase numerics = water_numerics(settings, thickness / layers, 2 * speed);
   numerics.reference_speed = 2 * speed;
   numerics.gravity = 0;
+  numerics.artificial_viscosity = artificial_viscosity;
   MaterialCase material = water();
   material.density = density;
   FlowModel model = flow_model(material, numerics, thickness);
@@ -92,18 +97,20 @@ Verdict verify_jet(const VerifySettings& settings) {
                             strike.force.integral(0, end), strike.lost(), 0.02));
     chart.series.push_back(strike.force.series(fmt::format("b/dp {}", layers), 0.1 * turn, end));
   }
-  const Strike heavy = run(control_layers, 1.1 * water().density);
-  verdict.claims.push_back(Claim::at_least(
-      fmt::format("b/dp {}, a jet heavier by 10 %: force over that of water", control_layers), "",
-      heavy.force.mean(plateau_start, plateau_end) / expected, 1.05));
+  const double more = settings.is_quick() ? 0.2 : 0.1;
+  const Strike heavy = run(control_layers, (1 + more) * water().density);
+  verdict.claims.push_back(
+      Claim::at_least(fmt::format("b/dp {}, a jet heavier by {:g} %: force over that of water",
+                                  control_layers, 100 * more),
+                      "", heavy.force.mean(plateau_start, plateau_end) / expected,
+                      1 + (settings.is_quick() ? 0.08 : 0.05)));
   chart.references = {{expected, "ρ b u²"}};
   chart.y_high = 2 * expected;
   verdict.charts = {std::move(chart)};
   verdict.remarks = {fmt::format(
       "b {:g} m, u {:g} m/s, c0 {:g} m/s at least, artificial viscosity {:g}. The first blow, a "
       "water hammer, goes beyond the chart",
-      thickness, speed, settings.numerics().sound_speed_factor * 2 * speed,
-      water_artificial_viscosity)};
+      thickness, speed, settings.numerics().sound_speed_factor * 2 * speed, artificial_viscosity)};
   return verdict;
 }
 
