@@ -190,14 +190,19 @@ Verdict verify_hydrostatic(const VerifySettings& settings) {
                                            run(heavy, 1, settings, [](double) {}).pressure_error,
                                            0.02));
   verdict.remarks = {"water has an artificial viscosity α of 0.02"};
-  if (!quick) {
+  if (!quick && settings.method == Method::fast) {
     verdict.remarks.push_back(
-        "box: rows of the lattice end on the slope as stairs; the gaps do not fill up, the surface "
-        "stands higher than the volume says, and the pressure is that of the weight below it");
+        "without α: greatest speed 0.03 √(gH) in the column of H/50, pressures within the same "
+        "gates");
     verdict.remarks.push_back(
-        "speed: whole rows of the square lattice begin to slide over each other after 2 s, towards "
-        "denser packing. In a column of H/25 with 10 Pa s they move at 0.002 to 0.006 √(gH), their "
-        "heights unchanged, and are displaced by a quarter of a spacing on average at 8 s");
+        "box: about the level that the pressure itself tells, 0.007 m above that of the volume, "
+        "the "
+        "error is 0.8 %; why the level is higher is not known, the stairs in which rows of the "
+        "lattice end on the slope are a guess");
+    verdict.remarks.push_back(
+        "speed: whole rows of the square lattice slide over each other after 2 s. In a column of "
+        "H/25 with 10 Pa s they move at 0.006 to 0.007 √(gH), their heights unchanged, and stand "
+        "at random to each other by 8 s");
   }
   settings.on_progress(1);
   return verdict;

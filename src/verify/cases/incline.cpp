@@ -155,12 +155,9 @@ class Incline {
       verdict_.remarks.push_back(
           "Mohr-Coulomb, 2.59 s: the lattice of rows that shear over each other breaks up after "
           "1.5 "
-          "s, 50 depths of travel. Density is then held to the places of the particles, which "
-          "pushes "
-          "where they crowd more than it pulls where they do not: the layer swells by 2 to 4 % and "
-          "runs ahead. Without that hold (crowding_tolerance 0.3) it keeps its depth within 1 % "
-          "and "
-          "loses 2 % of its mean speed by 3 s");
+          "s, 30 depths of travel. Density is then held to the places of the particles: the layer "
+          "swells by 4 % and runs ahead. With that hold out of reach (crowding_tolerance 0.3) it "
+          "keeps its depth within 1 % and its surface speed within 1 %");
     return std::move(verdict_);
   }
 
