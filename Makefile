@@ -1,6 +1,6 @@
 # Short names for the usual commands. CMakePresets.json is underneath.
 .POSIX:
-.PHONY: help build demo test bench docs study asan format tidy
+.PHONY: help build demo test bench docs validation study asan format tidy
 
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
@@ -13,6 +13,7 @@ help:
 	@echo 'make test     build, then run all checks and tests'
 	@echo 'make bench    measure the speed on this machine: the program, then its parts'
 	@echo 'make docs     rewrite the keys in docs/ from their descriptions, and the figures of the laws'
+	@echo 'make validation  an hour or two: run all cases with a known outcome, rewrite docs/validation.md'
 	@echo 'make study    hours: run the example in all variants, rewrite the table of docs/yohutagawa.md'
 	@echo 'make asan     the quick tests under the address and undefined-behaviour sanitizers'
 	@echo 'make format   format src/ and tests/'
@@ -40,6 +41,14 @@ test: build
 bench: build
 	build/release/src/sabo bench
 	build/release/tests/microbench/microbench
+
+# Records of this build are used again, so it goes on where it stopped.
+validation: build
+	build/release/src/sabo verify --all -o build/validation || test $$? -eq 3
+	mkdir -p docs/images/validation
+	rm -f docs/images/validation/*.svg
+	cp build/validation/*.svg docs/images/validation/
+	sed 's|](\./|](images/validation/|' build/validation/validation.md > docs/validation.md
 
 docs:
 	@sh tools/install_packages.sh

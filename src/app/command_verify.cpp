@@ -95,6 +95,7 @@ int verify(const VerifyOptions& options) {
                       : options.extended ? Effort::extended
                                          : Effort::full;
     settings.threads = options.threads;
+    settings.folder = options.folder;
     std::optional<VerifyRecord> record;
     if (!options.again)
       record = read_record(options.folder, verification->name, method, settings.effort);

@@ -83,7 +83,9 @@ class VelocityStep {
       const Quad<T>& c = solver.change[i];
       const Vec3d before = pushed(i);
       const Vec3d after = guess_[i] + Vec3d{double(c.x), double(c.y), double(c.z)};
-      heat_[k] = 0.5 * fluid.mass[i] * dot(before - after, before + after);
+      // The viscous force times the mean velocity of the step. With what it takes from the pushed
+      // velocity, the heat of a creeping flow would be that of dt g, which it never reaches.
+      heat_[k] = 0.5 * fluid.mass[i] * dot(before - after, fluid.velocity[i] + after);
       fluid.drag[i] = (1 / dt) * (after - before);
       fluid.velocity[i] = after;
     });

@@ -15,12 +15,13 @@ enum class GateKind {
   within,        ///< differs by no more than a distance, in the unit of the value
   at_most,       ///< no greater than what is expected
   at_least,      ///< no less
+  none,          ///< it is told beside what others found
 };
 
 template <>
 struct Words<GateKind> {
-  static constexpr std::array<std::string_view, 4> list{"within_share", "within", "at_most",
-                                                        "at_least"};
+  static constexpr std::array<std::string_view, 5> list{"within_share", "within", "at_most",
+                                                        "at_least", "none"};
 };
 
 /// One number that a case measures.
@@ -44,6 +45,8 @@ struct Claim {
         return measured <= expected;
       case GateKind::at_least:
         return measured >= expected;
+      case GateKind::none:
+        return std::isfinite(measured);
     }
     return false;
   }
@@ -55,6 +58,9 @@ struct Claim {
   static Claim within(std::string what, std::string unit, double measured, double expected,
                       double distance) {
     return {std::move(what), std::move(unit), measured, expected, GateKind::within, distance};
+  }
+  static Claim told(std::string what, std::string unit, double measured, double others) {
+    return {std::move(what), std::move(unit), measured, others, GateKind::none};
   }
   static Claim at_most(std::string what, std::string unit, double measured, double most) {
     return {std::move(what), std::move(unit), measured, most, GateKind::at_most};

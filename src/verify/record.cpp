@@ -10,6 +10,7 @@
 #include "base/version.hpp"
 #include "io/case_file/toml_string.hpp"
 #include "io/case_file/toml_tree.hpp"
+#include "io/output/checksum.hpp"
 #include "io/output/file.hpp"
 #include "io/output/read_file.hpp"
 #include "run/manifest.hpp"
@@ -25,6 +26,17 @@ std::string stem(std::string_view name, Method method, Effort effort) {
   return fmt::format("{}-{}-{}", name, word_of(method), word_of(effort));
 }
 
+/// Of the running program, "" where it cannot be told: what is built from changed files has the
+/// version of the last commit.
+const std::string& program_checksum() {
+  static const std::string sum = [] {
+    std::error_code error;
+    const fs::path program = fs::read_symlink("/proc/self/exe", error);
+    return error ? std::string() : checksum(program);
+  }();
+  return sum;
+}
+
 std::vector<std::string> quoted(const std::vector<std::string>& texts) {
   std::vector<std::string> list;
   for (const std::string& text : texts) list.push_back(toml_string(text));
@@ -33,9 +45,10 @@ std::vector<std::string> quoted(const std::vector<std::string>& texts) {
 
 std::string toml_of(const VerifyRecord& record) {
   std::string text = fmt::format(
-      "# Written by sabo verify.\nversion = {}\nname = {}\nmethod = {}\neffort = {}\ndate = {}\n"
+      "# Written by sabo verify.\nversion = {}\nprogram = {}\nname = {}\nmethod = {}\neffort = "
+      "{}\ndate = {}\n"
       "seconds = {:.3f}\nfailure = {}\nremarks = [{}]\npictures = [{}]\n",
-      toml_string(build_version), toml_string(record.name),
+      toml_string(build_version), toml_string(program_checksum()), toml_string(record.name),
       toml_string(std::string(word_of(record.method))),
       toml_string(std::string(word_of(record.effort))), toml_string(record.date), record.seconds,
       toml_string(record.failure), fmt::join(quoted(record.verdict.remarks), ", "),
@@ -105,11 +118,11 @@ void write_record(VerifyRecord& record, const fs::path& folder) {
 std::optional<VerifyRecord> read_record(const fs::path& folder, std::string_view name,
                                         Method method, Effort effort) {
   const auto text = read_file(folder / (stem(name, method, effort) + ".toml"), max_record);
-  // Changed files do not change the version again.
-  if (!text || std::string_view(build_version).ends_with("dirty")) return std::nullopt;
+  if (!text) return std::nullopt;
   Faults faults;
   const auto file = parse_toml(*text, "record", faults);
-  if (!file || text_at(*file, "version") != build_version) return std::nullopt;
+  if (!file || program_checksum().empty() || text_at(*file, "program") != program_checksum())
+    return std::nullopt;
   VerifyRecord record{std::string(name), method, effort};
   record.verdict.remarks = texts_at(*file, "remarks");
   record.pictures = texts_at(*file, "pictures");

@@ -29,8 +29,7 @@ VerifyRecord run_verification(const Verification& verification, const VerifySett
 /// Writes the record and its pictures to the folder, which is made. Throws RunError when it cannot.
 void write_record(VerifyRecord& record, const std::filesystem::path& folder);
 
-/// The record that this version of the program left in the folder, or nothing. A program built
-/// from files that are not committed finds none.
+/// The record that this very program left in the folder, or nothing.
 std::optional<VerifyRecord> read_record(const std::filesystem::path& folder, std::string_view name,
                                         Method method, Effort effort);
 

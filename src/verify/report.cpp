@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "verify/validation_page.hpp"
 #include <fmt/format.h>
 
 #include "base/version.hpp"
@@ -13,16 +14,14 @@
 namespace sabo {
 namespace {
 
-const Verification& verification_of(const VerifyRecord& record) {
-  return *std::ranges::find(verifications(), record.name, &Verification::name);
-}
-
 /// A value with its unit.
 std::string with_unit(double value, const std::string& unit) {
   return fmt::format("{:.4g}{}{}", value, unit.empty() ? "" : " ", unit);
 }
 
-std::string_view outcome(bool holds) { return holds ? "pass" : "FAIL"; }
+std::string_view outcome(const Claim& claim) {
+  return claim.gate == GateKind::none && claim.holds() ? "told" : outcome_text(claim.holds());
+}
 
 /// Characters of a UTF-8 text, each a column wide.
 std::size_t columns(const std::string& text) {
@@ -44,8 +43,8 @@ PageTable table_of(const VerifyRecord& record) {
                   {"", "measured", "gate", "outcome"},
                   {}};
   for (const Claim& claim : record.verdict.claims)
-    table.rows.push_back({claim.what, with_unit(claim.measured, claim.unit), gate_text(claim),
-                          std::string(outcome(claim.holds()))});
+    table.rows.push_back(
+        {claim.what, measured_text(claim), gate_text(claim), std::string(outcome(claim))});
   if (!record.failure.empty()) table.rows.push_back({record.failure, "", "", "FAIL"});
   return table;
 }
@@ -57,12 +56,20 @@ PageTable overview(const std::vector<VerifyRecord>& records) {
     table.rows.push_back(
         {title_of(record),
          fmt::format("{} of {}", std::ranges::count_if(claims, &Claim::holds), claims.size()),
-         fmt::format("{:.0f}", record.seconds), std::string(outcome(record.holds()))});
+         fmt::format("{:.0f}", record.seconds), std::string(outcome_text(record.holds()))});
   }
   return table;
 }
 
 }  // namespace
+
+const Verification& verification_of(const VerifyRecord& record) {
+  return *std::ranges::find(verifications(), record.name, &Verification::name);
+}
+
+std::string_view outcome_text(bool holds) { return holds ? "pass" : "FAIL"; }
+
+std::string measured_text(const Claim& claim) { return with_unit(claim.measured, claim.unit); }
 
 std::string gate_text(const Claim& claim) {
   const std::string expected = with_unit(claim.expected, claim.unit);
@@ -75,22 +82,23 @@ std::string gate_text(const Claim& claim) {
       return "at most " + expected;
     case GateKind::at_least:
       return "at least " + expected;
+    case GateKind::none:
+      return "beside " + expected;
   }
   return "";
 }
 
 std::string text_of(const VerifyRecord& record) {
-  std::string text = fmt::format("{}  {:<24} {}, {:.0f} s\n", outcome(record.holds()),
+  std::string text = fmt::format("{}  {:<24} {}, {:.0f} s\n", outcome_text(record.holds()),
                                  title_of(record), verification_of(record).title, record.seconds);
   std::size_t what = 0, measured = 0;
   for (const Claim& claim : record.verdict.claims) {
     what = std::max(what, columns(claim.what));
-    measured = std::max(measured, columns(with_unit(claim.measured, claim.unit)));
+    measured = std::max(measured, columns(measured_text(claim)));
   }
   for (const Claim& claim : record.verdict.claims)
-    text +=
-        fmt::format("        {}  {}  {}  {}\n", outcome(claim.holds()), padded(claim.what, what),
-                    padded(with_unit(claim.measured, claim.unit), measured), gate_text(claim));
+    text += fmt::format("        {}  {}  {}  {}\n", outcome(claim), padded(claim.what, what),
+                        padded(measured_text(claim), measured), gate_text(claim));
   for (const std::string& remark : record.verdict.remarks) text += "        " + remark + "\n";
   if (!record.failure.empty()) text += "        " + record.failure + "\n";
   return text;
@@ -140,8 +148,9 @@ std::filesystem::path write_verify_page(const std::vector<VerifyRecord>& records
            fmt::format("{}. Reference: {}", title_of(record), verification_of(record).reference),
            false});
   }
-  page.files = {{"verify.json", "all numbers"}};
+  page.files = {{"verify.json", "all numbers"}, {"validation.md", "this page in Markdown"}};
   write_file_atomically(folder / "verify.json", json_of(records));
+  write_file_atomically(folder / "validation.md", validation_markdown(records));
   std::filesystem::path file = folder / "index.html";
   write_file_atomically(file, index_html(page));
   return file;

@@ -10,6 +10,11 @@ namespace sabo {
 
 /// "within 5 % of 2.354 m/s", "at most 1.5".
 std::string gate_text(const Claim& claim);
+/// "2.42 m/s".
+std::string measured_text(const Claim& claim);
+std::string_view outcome_text(bool holds);
+/// The case that was run.
+const Verification& verification_of(const VerifyRecord& record);
 
 /// What a case found, for the terminal: a line for the case, one for each claim, its remarks.
 std::string text_of(const VerifyRecord& record);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <atomic>
+#include <filesystem>
 #include <functional>
 #include <string>
 #include <string_view>
@@ -25,6 +25,7 @@ struct VerifySettings {
   Method method = Method::fast;
   Effort effort = Effort::full;
   int threads = 1;
+  std::filesystem::path folder = "sabo-verify";  ///< for the run folders of cases that make some
   /// Told now and then what share of the work is done; may throw to end the case early.
   std::function<void(double share)> on_progress = [](double) {};
 

@@ -220,5 +220,31 @@ TEST(Stepper, StopsOnANumberThatIsNone) {
   }
 }
 
+// A slab below its friction angle creeps at a few mm/s, far less than gravity adds in a step: the
+// heat is still the work of gravity along the slope.
+TEST(Energy, OfCreepBecomesHeat) {
+  Layer layer;
+  layer.model = plain_model(0.75, 10 * std::sqrt(g * 3.75), 1);
+  layer.model.dimension = 2;
+  layer.model.state.rho0 = 1726;
+  layer.model.rheology = Cross{1255, 1000, 1};
+  layer.model.yield = {0, 28, 0};
+  layer.model.diffusion_form = DiffusionForm::fourtakas;
+  const double slope = 16 * M_PI / 180;
+  layer.model.gravity = {g * std::sin(slope), 0, -g * std::cos(slope)};
+  layer.cells = 5;
+  const auto backend = layer.make();
+  make_hydrostatic(*backend, 3.75);
+  const auto stepper = test::stepper_of(Method::fast, *backend);
+  double work = 0;
+  while (stepper->time() < 5) {
+    const double dt = stepper->step().dt;
+    const Particles& fluid = backend->fluid();
+    for (std::size_t i = 0; i < fluid.size(); ++i)
+      work += dt * fluid.mass[i] * layer.model.gravity.x * fluid.velocity[i].x;
+  }
+  EXPECT_NEAR(stepper->dissipated(), work, 0.02 * work);
+}
+
 }  // namespace
 }  // namespace sabo

@@ -2,6 +2,7 @@
 
 #include <set>
 
+#include "support/temporary_folder.hpp"
 #include "verify/verification.hpp"
 #include <gtest/gtest.h>
 
@@ -23,7 +24,9 @@ INSTANTIATE_TEST_SUITE_P(All, QuickCase, testing::Range<std::size_t>(0, verifica
 TEST_P(QuickCase, MeetsItsGatesByTheDefaultMethod) {
   const Verification& verification = verifications()[GetParam()];
   double last = 0;
+  const TemporaryFolder folder;
   VerifySettings settings;
+  settings.folder = folder / "out";
   settings.effort = Effort::quick;
   settings.on_progress = [&](double share) {
     EXPECT_GE(share, last);

@@ -30,6 +30,7 @@ TEST(Claim, FailsWithoutANumber) {
   EXPECT_FALSE(Claim::within("", "", nan, 1, 1e9).holds());
   EXPECT_FALSE(Claim::at_most("", "", nan, 1e9).holds());
   EXPECT_FALSE(Claim::at_least("", "", nan, -1e9).holds());
+  EXPECT_FALSE(Claim::told("", "", nan, 1).holds());
 }
 
 }  // namespace

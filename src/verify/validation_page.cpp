@@ -1,0 +1,105 @@
+#include "verify/validation_page.hpp"
+
+#include <algorithm>
+
+#include "verify/report.hpp"
+#include <fmt/format.h>
+
+#include "base/version.hpp"
+#include "io/output/cpu_name.hpp"
+
+namespace sabo {
+namespace {
+
+/// The records of one case, one for each method.
+using CaseRecords = std::vector<const VerifyRecord*>;
+
+/// Text of a cell: a bar would end it.
+std::string cell(const std::string& text) {
+  std::string escaped;
+  for (const char c : text) escaped += c == '|' ? "\\|" : std::string(1, c);
+  return escaped;
+}
+
+std::string overview(const std::vector<VerifyRecord>& records) {
+  std::string text = "| case | method | claims met | time [s] | |\n|---|---|---:|---:|---|\n";
+  for (const VerifyRecord& record : records) {
+    const auto& claims = record.verdict.claims;
+    text += fmt::format("| [{0}](#{0}) | `{1}` | {2} of {3} | {4:.0f} | {5} |\n", record.name,
+                        word_of(record.method), std::ranges::count_if(claims, &Claim::holds),
+                        claims.size(), record.seconds, outcome_text(record.holds()));
+  }
+  return text;
+}
+
+const Claim* find_claim(const VerifyRecord& record, const std::string& what) {
+  const auto& claims = record.verdict.claims;
+  const auto found = std::ranges::find(claims, what, &Claim::what);
+  return found == claims.end() ? nullptr : &*found;
+}
+
+/// Each claim once, in the order in which the methods make them.
+std::vector<const Claim*> all_claims(const CaseRecords& records) {
+  std::vector<const Claim*> list;
+  for (const VerifyRecord* record : records)
+    for (const Claim& claim : record->verdict.claims)
+      if (std::ranges::none_of(list, [&](const Claim* c) { return c->what == claim.what; }))
+        list.push_back(&claim);
+  return list;
+}
+
+std::string claims_table(const CaseRecords& records) {
+  std::string header = "| | gate |", rule = "|---|---|", rows;
+  for (const VerifyRecord* record : records) {
+    header += fmt::format(" `{}` |", word_of(record->method));
+    rule += "---:|";
+  }
+  for (const Claim* claim : all_claims(records)) {
+    rows += fmt::format("| {} | {} |", cell(claim->what), gate_text(*claim));
+    for (const VerifyRecord* record : records) {
+      const Claim* measured = find_claim(*record, claim->what);
+      rows += !measured           ? std::string(" |")
+              : measured->holds() ? fmt::format(" {} |", measured_text(*measured))
+                                  : fmt::format(" **{}, fails** |", measured_text(*measured));
+    }
+    rows += "\n";
+  }
+  return header + "\n" + rule + "\n" + rows;
+}
+
+std::string section(const CaseRecords& records) {
+  const Verification& verification = verification_of(*records.front());
+  std::string text = fmt::format("\n## {}\n\n{}. Expected: {}.\n\n{}", verification.name,
+                                 verification.title, verification.reference, claims_table(records));
+  for (const VerifyRecord* record : records)
+    for (const std::string& picture : record->pictures)
+      text += fmt::format("\n![{} by method {}](./{})\n", verification.title,
+                          word_of(record->method), picture);
+  for (const VerifyRecord* record : records) {
+    if (!record->failure.empty())
+      text += fmt::format("\n`{}` failed: {}\n", word_of(record->method), record->failure);
+    for (const std::string& remark : record->verdict.remarks)
+      text += fmt::format("\n`{}`: {}\n", word_of(record->method), remark);
+  }
+  return text;
+}
+
+}  // namespace
+
+std::string validation_markdown(const std::vector<VerifyRecord>& records) {
+  std::string text = fmt::format(
+      "# Verification and validation\n\nWritten by `sabo verify --all` of sabo {} on {}{}. {} of "
+      "{} "
+      "cases pass, each method counted.\n\n{}",
+      build_version, cpu_name(), records.empty() ? "" : ", " + records.back().date.substr(0, 10),
+      std::ranges::count_if(records, &VerifyRecord::holds), records.size(), overview(records));
+  for (const Verification& verification : verifications()) {
+    CaseRecords of_case;
+    for (const VerifyRecord& record : records)
+      if (record.name == verification.name) of_case.push_back(&record);
+    if (!of_case.empty()) text += section(of_case);
+  }
+  return text;
+}
+
+}  // namespace sabo
