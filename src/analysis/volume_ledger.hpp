@@ -15,7 +15,7 @@ struct VolumeRow {
   double trapped = 0;          ///< in the domain and not beyond the dam
   double beyond = 0;           ///< in the domain and beyond the dam; 0 without a dam
   double outflow = 0;          ///< left the domain, from either side of the dam
-  std::uint64_t put_back = 0;  ///< particles found below the ground and put back
+  std::uint64_t put_back = 0;  ///< particles found in the ground or a solid and put back
 };
 
 /// Ledger of volumes about one dam; a run with several dams keeps one for each.

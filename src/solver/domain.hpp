@@ -12,14 +12,14 @@ class Domain {
  public:
   explicit Domain(Ground& ground) : ground_(ground) {}
 
-  /// Takes particles that left the DEM out of `fluid`, puts those found below the ground, by more
-  /// than a tenth of a spacing, back on it (both are counted) and makes the ground within `reach`
-  /// (m) of the rest. Called each time the neighbour list is renewed.
+  /// Takes particles that left the DEM out of `fluid`, puts those found in the ground, a dam or
+  /// a body, by more than a tenth of a spacing, back outside (both are counted) and makes the
+  /// ground within `reach` (m) of the rest. Called each time the neighbour list is renewed.
   void update(Particles& fluid, Particles& boundary, double reach);
 
   /// Particles that left since the last call.
   Particles take_departed();
-  /// How often a particle was found below the ground since the start.
+  /// How often a particle was found in a solid since the start.
   std::size_t put_back_count() const { return put_back_count_; }
   const Ground& ground() const { return ground_; }
 

@@ -11,6 +11,8 @@
 #include "run/preview_picture.hpp"
 #include "run/scene.hpp"
 #include "run/scene_bodies.hpp"
+#include "run/simulation.hpp"
+#include "run/state_pictures.hpp"
 
 // Cases on a plane with bodies, particles of 0.1 m.
 
@@ -178,6 +180,22 @@ TEST(LabTemplates, AreReadWithoutAFault) {
     EXPECT_GT(scene.release.size(), 2000u) << name;
     EXPECT_LT(scene.release.size(), 20000u) << name;
   }
+}
+
+TEST(LabTemplates, ADamBreakLeavesItsBodiesAndPictures) {
+  const TemporaryFolder folder;
+  new_case("dam-break", folder / "case");
+  Faults faults;
+  Case c = read_case(folder / "case", faults);
+  c.numerics.spacing = 0.1;
+  c.run.duration = 0.1;
+  RunOptions options;
+  options.folder = folder / "run";
+  EXPECT_EQ(run_case(c, options).end, RunEnd::finished);
+  EXPECT_TRUE(std::filesystem::exists(folder / "run/frames/bodies.vtp"));
+  EXPECT_THAT(folder.read("run/pictures/deposit.svg"), HasSubstr(">tank</text>"));
+  draw_states(folder / "run", {0.1});
+  EXPECT_THAT(folder.read("run/states.html"), HasSubstr("state_depth"));
 }
 
 }  // namespace
