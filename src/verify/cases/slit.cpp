@@ -160,22 +160,26 @@ Verdict verify_slit(const VerifySettings& settings) {
   if (resolutions.size() > 1)
     verdict.charts.push_back(error_chart("Slit: error over spacing", std::move(errors)));
   const Outcome weak = run(list.front(), resolutions.front(), 0.5 * yield_stress, settings);
-  verdict.claims.push_back(Claim::at_least("half the yield stress: L2 error", "", weak.error, 0.2));
+  // Well outside the band of 0.015.
+  verdict.claims.push_back(Claim::at_least("half the yield stress: L2 error", "", weak.error, 0.1));
   if (!quick) {
     verdict.remarks = {
         "plug: a sum over the kernel smooths the shear rate across the edge of the plug. In one "
         "dimension that alone makes the exact Bingham fluid, cap 1000 μB, 0.7 % faster at 50 "
-        "particles, with a gradient of 0.0029 1/s in the plug, and 0.0006 1/s at 100",
-        "order: at a fixed h over spacing of 1.5 sums over sheared particles keep an error that no "
-        "spacing takes away; for the Newtonian fluid it is 0.3 % at 50 and at 100"};
-    if (settings.method == Method::fast)
+        "particles, with a gradient of 0.0029 1/s in the plug, and 0.0006 1/s at 100"};
+    if (settings.method == Method::fast) {
+      verdict.remarks.push_back(
+          "order: at a fixed h over spacing of 1.5 sums over sheared particles keep an error that "
+          "no "
+          "spacing takes away; for the Newtonian fluid it is 0.3 % at 50 and at 100");
       verdict.remarks.push_back(
           "Herschel-Bulkley passes at 8 s, two of its relaxation times; later the rows near the "
           "walls break up, and at 16 s the L2 error is 2.6 %");
-    else
+    } else {
       verdict.remarks.push_back(
           "explicit steps fall with the square of the spacing over the viscosity at rest: 25 "
           "particles across instead of 50, for 1 s; --long has 50");
+    }
   }
   return verdict;
 }
