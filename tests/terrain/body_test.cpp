@@ -274,11 +274,14 @@ TEST(GroundWithBody, PushesOutOfEverything) {
   for (int trial = 0; trial < 2000; ++trial) {
     const Vec3d point{6 * random() - 4, 6 * random() - 4, 2 * random() - 0.5};
     const Vec3d moved = ground.pushed_out(point);
+    EXPECT_FALSE(ball.contains(moved) || tank.contains(moved));
     EXPECT_FALSE(ground.is_solid(moved)) << point.x << ' ' << point.y << ' ' << point.z;
     if (point.z > 0 && ground.is_solid(point)) {
       EXPECT_LT(norm(moved - point), 0.5) << point.x << ' ' << point.y << ' ' << point.z;
     }
   }
+  EXPECT_TRUE(ground.is_solid({1, 1, 0.3}));
+  EXPECT_TRUE(ground.is_solid(inside.turned({-3.1, -2, 0.5})));
   EXPECT_FALSE(ground.is_solid({-2, -2, 0.5}));  // the inside of the tank is free
   EXPECT_FALSE(ground.is_solid({-2, -2, 3}));
 }
