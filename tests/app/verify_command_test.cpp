@@ -33,7 +33,8 @@ TEST(VerifyCommand, LeavesPageJsonAndPictures) {
 TEST(VerifyCommand, RefusesWhatDoesNotExist) {
   const Outcome name = run_shell("sabo verify slap");
   EXPECT_EQ(name.code, 2);
-  EXPECT_THAT(name.text, HasSubstr("there is no case \"slap\"; give some of slab"));
+  EXPECT_THAT(name.text, HasSubstr("there is no case \"slap\"; give some of "));
+  EXPECT_THAT(name.text, HasSubstr("slab"));
   const Outcome method = run_shell("sabo verify slab --method quick");
   EXPECT_EQ(method.code, 2);
   EXPECT_THAT(method.text, HasSubstr("there is no method \"quick\"; give fast or paper"));
