@@ -235,10 +235,10 @@ Verdict verify_granular_collapse(const VerifySettings& settings) {
   compare_deposits(is_quick, settings, verdict, on_share(0.4));
   if (!is_quick)
     verdict.remarks.push_back(
-        "Tall columns of 22° run farther than the law for glass beads: a plane of constant "
-        "friction "
-        "has neither the growth of friction with the rate, which μ(I) has, nor the side walls of "
-        "the channel, which no run has.");
+        "Tall columns run too far, those of 22° beyond the law for glass beads from a = 1 on and "
+        "those of 31° at a = 4: a plane of constant friction has neither the growth of friction "
+        "with the rate, which takes a tenth off in the μ(I) of glass, nor the side walls of the "
+        "channel, which no run has.");
   settings.on_progress(1);
   return verdict;
 }

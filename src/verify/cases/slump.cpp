@@ -140,7 +140,7 @@ Verdict verify_slump(const VerifySettings& settings) {
   Verdict verdict;
   const std::string at = fmt::format("H0/dp {}", fine);
   std::vector<std::pair<Slump, double>> runs{{{0.05, 10, 1e5, 0.4}, is_quick ? 10.0 : 20.0}};
-  if (!is_quick) runs.push_back({{0.01, 3, 1e5, 0.65}, 20});
+  if (!is_quick) runs.push_back({{0.01, 3, 1e5, 0.65}, 32});
   double length_of_first = 0;
   for (const auto& [slump, end] : runs) {
     const RestShape rest{slump.bingham * side};
