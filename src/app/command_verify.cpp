@@ -36,7 +36,7 @@ void list_cases() {
   for (const Verification& v : verifications()) {
     std::vector<std::string_view> methods;
     for (const Method method : v.methods) methods.push_back(word_of(method));
-    fmt::print("{:<12} {} ({})\n", v.name, v.title, fmt::join(methods, ", "));
+    fmt::print("{:<20} {} ({})\n", v.name, v.title, fmt::join(methods, ", "));
   }
   fmt::print("\nsabo verify NAME... runs some of them, sabo verify --all all.\n");
 }
@@ -134,7 +134,7 @@ void add_verify_command(CLI::App& program, Action& action) {
   command->add_flag("--long", options->extended, "also resolutions that take hours")
       ->excludes(quick);
   command->add_flag("--again", options->again,
-                    "run cases again of which the folder has a result of this version");
+                    "run cases again of which the folder has a result of this very program");
   command->add_option("--method", options->method, "default: each that a case is for")
       ->type_name(fmt::format("{}", fmt::join(Words<Method>::list, "|")));
   command->add_option("--threads", options->threads, "number of threads; default: all")

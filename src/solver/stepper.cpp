@@ -1,5 +1,6 @@
 #include "solver/stepper.hpp"
 
+#include <algorithm>
 #include <string>
 
 #include "base/error.hpp"
@@ -15,6 +16,10 @@ StepReport Stepper::step(double longest) {
   for (std::size_t k = 0; k < loads.size(); ++k) body_impulses_[k] += report.dt * loads[k];
   check_health();
   return report;
+}
+
+void Stepper::advance_to(double time, double longest) {
+  while (time_ < time) step(std::min(longest, time - time_));
 }
 
 void Stepper::renew_neighbours() {

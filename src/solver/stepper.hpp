@@ -35,6 +35,9 @@ class Stepper {
   /// a density has left its range.
   StepReport step(double longest = std::numeric_limits<double>::infinity());
 
+  /// Steps, each no longer than `longest` (s), until the time is `time` (s).
+  void advance_to(double time, double longest = std::numeric_limits<double>::infinity());
+
   double time() const { return time_; }  ///< s
   std::size_t steps() const { return steps_; }
   double dissipated() const { return dissipated_; }  ///< heat made by viscosity so far, J

@@ -17,12 +17,6 @@ namespace sabo {
 
 using Profile = std::function<double(double z)>;  // m -> m/s
 
-/// Runs to the time t (s) in steps of at most `longest` (s).
-inline void advance_to(Stepper& stepper, double t,
-                       double longest = std::numeric_limits<double>::infinity()) {
-  while (stepper.time() < t) stepper.step(std::min(longest, t - stepper.time()));
-}
-
 /// Root mean square of the difference over that of the exact speed.
 inline double profile_error(const Particles& fluid, const Profile& exact) {
   double difference = 0, size = 0;

@@ -54,7 +54,7 @@ Flow run(Layer& layer, double time, const PlugFlow& start = {0, 1}) {
   const double depth = layer.cells * layer.model.spacing;
   make_hydrostatic(*backend, depth);
   const auto stepper = test::stepper_of(Method::paper, *backend);
-  while (stepper->time() < time) stepper->step(time - stepper->time());
+  stepper->advance_to(time);
   Flow flow;
   double top = -1e9;
   const Particles& fluid = backend->fluid();

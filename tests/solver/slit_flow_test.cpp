@@ -27,7 +27,7 @@ Layer two_dimensional(int cells, double depth) {
 }
 
 void run_until(Backend& backend, double time) {
-  advance_to(*test::stepper_of(Method::paper, backend), time);
+  test::stepper_of(Method::paper, backend)->advance_to(time);
 }
 
 constexpr StartUp exact;

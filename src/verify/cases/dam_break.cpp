@@ -102,7 +102,7 @@ Collapse collapse_of(const Water& water, const VerifySettings& settings,
   constexpr int points = 200;
   for (int k = 0; k <= points; ++k) {
     const double time = 5.5 * unit * k / points;
-    while (stepper->time() < time) stepper->step(time - stepper->time());
+    stepper->advance_to(time);
     double front = 0, top = 0;
     for (const Vec3d& x : fluid.position) {
       front = std::max(front, x.x);

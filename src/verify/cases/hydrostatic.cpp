@@ -118,7 +118,7 @@ Outcome run(const Variant& variant, double end, const VerifySettings& settings,
   Outcome outcome;
   constexpr int points = 40;
   for (int k = 1; k <= points; ++k) {
-    advance_to(*stepper, end * k / points);
+    stepper->advance_to(end * k / points);
     if (2 * k >= points) outcome.speed = std::max(outcome.speed, fastest(pool.backend->fluid()));
     on_progress(double(k) / points);
   }

@@ -106,7 +106,7 @@ Speeds run(const Sheet& sheet, int cells, double time, const Profile& start,
   make_hydrostatic(*backend, sheet.depth);
   for (std::size_t i = 0; i < fluid.size(); ++i) fluid.velocity[i].x = start(fluid.position[i].z);
   const auto stepper = make_stepper(numerics, *backend, nullptr);
-  advance_to(*stepper, time);
+  stepper->advance_to(time);
   if (profile) *profile = profile_series("simulated", fluid);
   return speeds_of(
       fluid, sheet.depth - numerics.spacing, [](const Vec3d& v) { return v.x; },
@@ -119,7 +119,7 @@ Speeds run_on_dem(const Sheet& sheet, int cells, double time, const VerifySettin
   const FlowModel model = model_of(sheet, cells, numerics, settings);
   const auto backend = TiltedLayer{model, cells}.make();
   const auto stepper = make_stepper(numerics, *backend, nullptr);
-  advance_to(*stepper, time);
+  stepper->advance_to(time);
   return speeds_of(backend->fluid(), sheet.depth - numerics.spacing, TiltedLayer::along,
                    TiltedLayer::height);
 }

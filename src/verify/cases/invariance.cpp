@@ -81,9 +81,7 @@ class Slump {
     stepper_ = make_stepper(numerics, *backend_, nullptr);
   }
 
-  void run_to(double time) {
-    while (stepper_->time() < time) stepper_->step(time - stepper_->time());
-  }
+  void run_to(double time) { stepper_->advance_to(time); }
   void step(double dt) { stepper_->step(dt); }
 
   /// Velocities as if nothing were turned, in the order in which the particles were made.

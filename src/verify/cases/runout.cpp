@@ -117,7 +117,7 @@ Runout run(const NumericsCase& numerics, const FlowModel& model, const Surface& 
   constexpr int points = 80;
   for (int k = 1; k <= points; ++k) {
     const double time = end * k / points;
-    while (stepper->time() < time) stepper->step(time - stepper->time());
+    stepper->advance_to(time);
     result.track.x.push_back(time);
     result.track.y.push_back(centroid(fluid) - start);
     on_progress(double(k) / points);

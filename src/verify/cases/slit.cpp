@@ -99,7 +99,7 @@ Outcome run(const Fluid& one, int cells, double yield, const VerifySettings& set
   // of the explicit method are shorter by the hundred.
   for (std::size_t i = 0; i < fluid.size(); ++i) fluid.velocity[i].x = exact(fluid.position[i].z);
   const auto stepper = make_stepper(numerics, *backend, nullptr);
-  advance_to(*stepper, settings.method == Method::paper ? 1 : settings.is_quick() ? 4 : 8);
+  stepper->advance_to(settings.method == Method::paper ? 1 : settings.is_quick() ? 4 : 8);
 
   Outcome outcome;
   outcome.error = profile_error(fluid, exact);

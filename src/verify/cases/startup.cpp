@@ -73,7 +73,7 @@ Outcome run(const Flow& flow, int cells, const VerifySettings& settings,
   Outcome outcome;
   for (std::size_t k = 0; k < times.size(); ++k) {
     const double t = times[k];
-    advance_to(*stepper, t, longest);
+    stepper->advance_to(t, longest);
     const Profile profile = [&](double z) { return flow.speed(z, t); };
     outcome.errors[k] = profile_error(backend->fluid(), profile);
     outcome.profiles.push_back(profile_series(fmt::format("{:g} s", t), backend->fluid()));
