@@ -52,7 +52,7 @@ void expect_rest(Method method, const Body& tank, const Bounds& water) {
   World world(model, water, {tank});
   const std::size_t count = world.backend->fluid().size();
   const auto stepper = test::stepper_of(method, *world.backend, &world.domain);
-  while (stepper->time() < 1) stepper->step();
+  stepper->advance_to(2);
   const Particles& fluid = world.backend->fluid();
   EXPECT_EQ(fluid.size(), count);
   EXPECT_EQ(world.domain.put_back_count(), 0u);

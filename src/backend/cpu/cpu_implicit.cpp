@@ -21,7 +21,8 @@ void CpuBackend::prepare_rows() {
     if (std::any_of(row.fluid, row.boundary, is_awake))
       touched_walls_.push_back(static_cast<std::uint32_t>(b));
   }
-  wall_pressure_.resize(touched_walls_.size());
+  for (std::vector<float>* of_wall : {&wall_pressure_, &wall_weight_, &wall_closing_})
+    of_wall->resize(touched_walls_.size());
   chunk_rows_.assign(1, 0);
   for (std::size_t c = 0; c * PairList::chunk < fluids; ++c) {
     const auto end = std::lower_bound(awake_.begin(), awake_.end(), (c + 1) * PairList::chunk);
@@ -73,7 +74,7 @@ void CpuBackend::wall_pressure() {
   const Vec3f gravity{float(model_.gravity.x), float(model_.gravity.y), float(model_.gravity.z)};
   parallel_blocks(touched_walls_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.wall_pressure({&scale_, &list_, flow_.data(), touched_walls_.data(), range.first,
-                           range.last, gravity, wall_pressure_.data()});
+                           range.last, gravity, wall_pressure_.data(), wall_weight_.data()});
   });
   over(touched_walls_.size(), threads(), [&](std::size_t k) {
     const std::size_t b = touched_walls_[k] - fluids;
@@ -138,6 +139,16 @@ void CpuBackend::near_motion() {
   find_diffusion_background();
   const PassClock clock(pass_times_, "near motion", near_.size());
   pack_near_motion();
+  parallel_blocks(touched_walls_.size(), sweep_block, threads(), [&](Range range) {
+    sweeps_.wall_closing({&scale_, &list_, motion_.data(), touched_walls_.data(), range.first,
+                          range.last, wall_pressure_.data(), wall_weight_.data(),
+                          wall_closing_.data()});
+  });
+  over(touched_walls_.size(), threads(), [&](std::size_t k) {
+    MotionRecord& wall = motion_[touched_walls_[k]];
+    wall.excess = wall_closing_[k];
+    wall.volume = flow_[touched_walls_[k]].volume;
+  });
   parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), wall_slope_.data(),
                          awake_.data(), range.first, range.last, strain_.data(),

@@ -65,7 +65,20 @@ struct WallPressureTask {
   const std::uint32_t* rows;  ///< boundary particles, counted from the first fluid one
   std::size_t first, last;    ///< range of `rows`
   Vec3f gravity;
-  float* pressure;  ///< out, by place in `rows`, Pa; 0 where no fluid is near
+  float* pressure;  ///< out, this and that below by place in `rows`, Pa; 0 where no fluid is near
+  float* weight;    ///< sum of W over the fluid, 1/m^D
+};
+
+/// Rate at which fluid closes in on walls under pressure (physics/pair/wall_contact.hpp).
+struct WallClosingTask {
+  const PairScale* scale;
+  const PairList* list;
+  const MotionRecord* records;
+  const std::uint32_t* rows;  ///< boundary particles, counted from the first fluid one
+  std::size_t first, last;    ///< range of `rows`
+  const float* pressure;      ///< this and those below by place in `rows`; rows without are at rest
+  const float* weight;
+  float* closing_per_weight;  ///< out, 1/s
 };
 
 /// Acceleration by gravity and pressure, the viscous matrix and where the walls are.
@@ -134,6 +147,7 @@ struct PairSweeps {
   void (*force)(const ForceTask&);
   void (*wall_pressure)(const WallPressureTask&);
   void (*near_force)(const NearForceTask&);
+  void (*wall_closing)(const WallClosingTask&);
   void (*near_motion)(const NearMotionTask&);
   void (*viscous_product)(ViscousProductTask&);
   /// Returns how many it wrote.

@@ -11,8 +11,8 @@ namespace sabo {
 struct alignas(32) MotionRecord {
   std::int32_t x, y, z;  ///< position / PairScale::unit
   float vx, vy, vz;      ///< m/s
-  float excess;          ///< rho / rho0 - 1
-  float volume;          ///< m / rho, m3 (m2 in two dimensions)
+  float excess;          ///< rho / rho0 - 1; of walls in near_motion closing per weight, 1/s
+  float volume;          ///< m / rho, m3 (m2 in two dimensions); of walls in near_motion m / rho0
 };
 static_assert(sizeof(MotionRecord) == 32);
 

@@ -47,6 +47,7 @@ class ReferenceBackend : public HostBackend {
   double density(std::size_t k) const;
   double mass(std::size_t k) const;
   double pressure_of(std::size_t k) const;
+  double closing_on(std::size_t b) const;
   double pressure_term(std::size_t k) const;  ///< p / rho^2
 
   VelocityStep<double> velocity_step_;

@@ -4,6 +4,7 @@
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
+#include "physics/pair/wall_contact.hpp"
 
 // The pair sweeps of the implicit method.
 
@@ -82,6 +83,18 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
                                 multiply);
 }
 
+/// Per weight of the fluid near boundary particle b, 1/s.
+double ReferenceBackend::closing_on(std::size_t b) const {
+  if (!(boundary_.pressure[b] > 0)) return 0;
+  const auto kernel = model_.kernel<double>();
+  double weight = 0, sum = 0;
+  for_each_neighbour(fluid_.size() + b, true, [&](std::size_t j, const PairGeometry<double>& pair) {
+    weight += kernel.value(std::sqrt(pair.r2));
+    sum += closing(pair, boundary_.velocity[b] - velocity(j));
+  });
+  return weight > 0 ? sum / weight : 0;
+}
+
 void ReferenceBackend::near_motion() {
   const std::size_t fluids = fluid_.size();
   load_bodies_by_friction();
@@ -89,25 +102,30 @@ void ReferenceBackend::near_motion() {
   DensityDiffusion<double> diffusion{
       2 * model_.density_diffusion * model_.h * model_.state.c0, model_.eta2(), {}};
   const double rho0 = model_.state.rho0;
+  const auto kernel = model_.kernel<double>();
+  std::vector<double> closing_on_wall(boundary_.size());
+  for (std::size_t b = 0; b < boundary_.size(); ++b) closing_on_wall[b] = closing_on(b);
   for (const std::uint32_t i : awake_) {
     Sym3<double> eps{};
-    double rate = 0;
+    double rate = 0, wall_rate = 0;
     double support = 0;
     diffusion.hydrostatic = background_[i];
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);
-      const double volume = mass(j) / density(j);
-      rate += continuity(pair, v, mass(j));
+      const double volume = mass(j) / (j < fluids ? density(j) : rho0);
       support -= volume * pair.gradient * pair.r2 / model_.dimension;
       if (j < fluids) {
-        rate += diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
+        rate += continuity(pair, v, mass(j)) +
+                diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
         eps += strain_rate(pair, v, volume);
       } else {
+        wall_rate += wall_continuity(pair, v, mass(j), kernel.value(std::sqrt(pair.r2)),
+                                     closing_on_wall[j - fluids]);
         eps += strain_rate(pair, std::max(0.0, dot(wall_slope_[i], pair.x)) * v, volume);
       }
     });
     strain_[i] = (1 / std::max(0.4, support)) * eps;
-    density_rate_[i] = rate;
+    density_rate_[i] = rate + one_sided(wall_rate, density(i) / rho0 - 1);
     support_[i] = support;
   }
 }

@@ -9,6 +9,7 @@
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
+#include "physics/pair/wall_contact.hpp"
 
 namespace sabo {
 namespace HWY_NAMESPACE {
@@ -47,7 +48,29 @@ void wall_pressure_range(const WallPressureTask& task) {
       pressure += w * (j[4] * (s.rho0 * s.rho0) + density * dot(gravity, x));
     }
     const float total = sum(weight);
+    task.weight[place] = total;
     task.pressure[place] = total > 0 ? sum(pressure) / total : 0;
+  }
+}
+
+template <bool periodic>
+void wall_closing_range(const WallClosingTask& task) {
+  const Constants s(*task.scale);
+  for (std::size_t place = task.first; place < task.last; ++place) {
+    task.closing_per_weight[place] = 0;
+    if (!(task.pressure[place] > 0)) continue;
+    const std::size_t i = task.rows[place];
+    const PairList::Row row = task.list->row(i);
+    const MotionRecord& me = task.records[i];
+    const std::int32_t at[3] = {me.x, me.y, me.z};
+    const Vec velocity{Lanes(me.vx), Lanes(me.vy), Lanes(me.vz)};
+    Lanes total;
+    for (const std::uint32_t* k = row.fluid; k != row.boundary; k += Lanes::count) {
+      const Columns j = motion_records(task.records, k);
+      const auto pair = pair_geometry(separation<periodic>(s, at, j), s.kernel);
+      total += closing(pair, velocity - Vec{j[3], j[4], j[5]});
+    }
+    task.closing_per_weight[place] = sum(total) / task.weight[place];
   }
 }
 
@@ -142,7 +165,7 @@ void near_force_range(const NearForceTask& task) {
 
 struct NearMotionSums {
   Sym3<Lanes> eps;
-  Lanes rate;
+  Lanes rate, wall_rate;
   Lanes support;
 };
 
@@ -172,8 +195,8 @@ HWY_INLINE void add_near_motion(const Constants& s, const NearMotionTask& task, 
     const Columns j = motion_records(task.records, k);
     const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
     const Vec v = velocity - Vec{j[3], j[4], j[5]};
-    const Lanes mass_j = j[7] * (s.rho0 + s.rho0 * j[6]);
-    sums.rate += continuity(pair, v, mass_j);
+    const Lanes weight = s.kernel.value(sqrt(pair.r2)) * positive(pair.r2);
+    sums.wall_rate += wall_continuity(pair, v, j[7] * s.rho0, weight, j[6]);
     // The flow goes on into the wall as it comes from it, through the wall's velocity at the wall
     // (Morris et al. 1997): the difference grows with the distance along the normal.
     sums.eps += strain_rate(pair, larger(dot(slope, pair.x), Lanes(0.0f)) * v, j[7]);
@@ -195,7 +218,7 @@ void near_motion_range(const NearMotionTask& task) {
     const Sym3<Lanes>& e = sums.eps;
     task.strain[i] =
         scale * Sym3<double>{sum(e.xx), sum(e.xy), sum(e.xz), sum(e.yy), sum(e.yz), sum(e.zz)};
-    task.density_rate[i] = sum(sums.rate);
+    task.density_rate[i] = sum(sums.rate) + one_sided(sum(sums.wall_rate), task.records[i].excess);
     task.support[i] = support;
   }
 }
@@ -204,6 +227,10 @@ void near_motion_range(const NearMotionTask& task) {
 
 void wall_pressure(const WallPressureTask& task) {
   task.scale->periodic ? wall_pressure_range<true>(task) : wall_pressure_range<false>(task);
+}
+
+void wall_closing(const WallClosingTask& task) {
+  task.scale->periodic ? wall_closing_range<true>(task) : wall_closing_range<false>(task);
 }
 
 void near_force(const NearForceTask& task) {

@@ -8,6 +8,7 @@ namespace HWY_NAMESPACE {
 
 // The sweeps of the implicit method, see the tasks in PairSweeps.
 void wall_pressure(const WallPressureTask& task);
+void wall_closing(const WallClosingTask& task);
 void near_force(const NearForceTask& task);
 void near_motion(const NearMotionTask& task);
 void viscous_product(ViscousProductTask& task);
