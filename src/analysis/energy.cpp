@@ -3,12 +3,6 @@
 #include <algorithm>
 
 namespace sabo {
-double elastic_energy(const Tait& tait, double density) {
-  const double x = density / tait.rho0;
-  const double strain = (density - tait.rho0) / tait.rho0;
-  const double sum = 6 + x * (5 + x * (4 + x * (3 + x * (2 + x))));
-  return tait.c0 * tait.c0 * strain * strain * sum / (42 * x);
-}
 
 Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait) {
   constexpr std::size_t block = 1024;  // rounding grows with the block and the number of blocks
@@ -21,7 +15,7 @@ Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& t
       const Vec3d& velocity = particles.velocity[i];
       sum = sum + Energy{mass, 0.5 * mass * dot(velocity, velocity),
                          -mass * dot(gravity, particles.position[i]),
-                         mass * elastic_energy(tait, particles.density[i])};
+                         mass * tait.elastic_energy(particles.density[i])};
     }
     total = total + sum;
   }
@@ -29,13 +23,14 @@ Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& t
 }
 
 EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energy& left,
-                             double dissipated) {
+                             double dissipated, double numerical) {
   EnergyBalance balance;
   balance.released = start.potential - now.potential - left.potential;
   balance.kinetic = now.kinetic;
   balance.dissipated = dissipated;
+  balance.numerical = numerical;
   balance.carried_off = left.kinetic + left.elastic;
-  balance.unaccounted = now.total() + left.total() + dissipated - start.total();
+  balance.unaccounted = now.total() + left.total() + dissipated + numerical - start.total();
   return balance;
 }
 

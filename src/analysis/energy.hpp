@@ -19,14 +19,6 @@ struct Energy {
   }
 };
 
-/// Elastic energy of a Tait fluid, J/kg: the integral of p / rho^2 from rho0 to rho > 0, which is
-/// what the pressure forces of Eq. 13 take from the motion. With x = rho/rho0,
-///   p / rho^2 d rho = c0^2/7 (x^5 - 1/x^2) dx,   whose integral from 1 is
-///   c0^2/7 ((x^6 - 1)/6 + 1/x - 1) = c0^2 (x - 1)^2 (x^5 + 2x^4 + 3x^3 + 4x^2 + 5x + 6) / (42 x).
-/// The factored form keeps the digits that the other cancels; for x -> 1 it is c0^2 (x - 1)^2 / 2,
-/// that of a linear spring.
-double elastic_energy(const Tait& tait, double density);
-
 /// Sums over the rows in fixed blocks. `gravity` in m/s2.
 Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait);
 
@@ -35,14 +27,16 @@ struct EnergyBalance {
   double released = 0;     ///< potential energy at the start less that now, and of what left
   double kinetic = 0;      ///< now
   double dissipated = 0;   ///< by viscosity and the ground
+  double numerical = 0;    ///< taken by the scheme itself
   double carried_off = 0;  ///< motion and compression of what left
   double unaccounted = 0;  ///< found now in all, less what there was; negative when some is missing
 
-  /// Over what was released; 0 when nothing moved.
-  double imbalance() const { return released > 0 ? unaccounted / released : 0; }
+  /// Of what was released; 0 when nothing moved.
+  double share(double energy) const { return released > 0 ? energy / released : 0; }
+  double imbalance() const { return share(unaccounted); }
 };
 
 EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energy& left,
-                             double dissipated);
+                             double dissipated, double numerical);
 
 }  // namespace sabo

@@ -6,6 +6,7 @@
 
 #include "backend/body_load.hpp"
 #include "backend/model.hpp"
+#include "backend/numerical_heat.hpp"
 #include "backend/pass_times.hpp"
 #include "backend/viscous_solver.hpp"
 #include "particles/particles.hpp"
@@ -90,6 +91,8 @@ class Backend {
   /// evaluation, W; with moving walls their work is counted as well. To be called before the
   /// state moves on.
   virtual double dissipation() const = 0;
+  /// Since the start, of the implicit method.
+  virtual const NumericalHeat& numerical_heat() const = 0;
 
   /// What the fluid does to each body at the last evaluation, number 1 first: minus what its
   /// particles do to the fluid, by pressure, artificial viscosity and stress; in the implicit

@@ -40,6 +40,9 @@ void HostBackend::find_neighbours() {
   support_.assign(fluid_.size(), 0);
   filling_.assign(fluid_.size(), {});
   background_.assign(fluid_.size(), {});
+  for (std::vector<double>* of_fluid :
+       {&artificial_heat_, &diffusion_rate_, &heat_of_diffusion_, &heat_of_hold_})
+    of_fluid->assign(fluid_.size(), 0);
 }
 
 void HostBackend::pressure() {

@@ -28,6 +28,7 @@ class HostBackend : public Backend {
   FlowExtremes extremes() const override;
   FlowHealth health() const override;
   double dissipation() const override;
+  const NumericalHeat& numerical_heat() const override { return numerical_heat_; }
   void predict(double dt) override;
   void correct(double dt) override;
   void wall_resistance() override;
@@ -86,6 +87,8 @@ class HostBackend : public Backend {
   std::vector<double> support_;    ///< share of the kernel that has neighbours, by its gradient
   std::vector<Vec3d> background_;  ///< density gradient that diffusion leaves alone, 1/m
   std::vector<Filling> filling_;
+  std::vector<double> artificial_heat_;  ///< W/kg
+  std::vector<double> diffusion_rate_;   ///< share of density diffusion in density_rate_
 
  private:
   bool is_calm(std::size_t i) const;
@@ -103,7 +106,9 @@ class HostBackend : public Backend {
   Vec3d artificial_on_wall(std::size_t i, std::size_t b, const PairGeometry<double>& pair) const;
 
   int threads_;
-  std::vector<Vec3d> shift_;  ///< of the last step, m
+  NumericalHeat numerical_heat_;
+  std::vector<double> heat_of_diffusion_, heat_of_hold_;  // of the step, J
+  std::vector<Vec3d> shift_;                              ///< of the last step, m
   std::vector<Vec3d> start_position_;
   std::vector<Vec3d> start_velocity_;
   std::vector<double> start_density_;

@@ -60,8 +60,9 @@ Vec3d HostBackend::artificial_on_wall(std::size_t i, std::size_t b,
                                       const PairGeometry<double>& pair) const {
   const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
   const double mean_density = 0.5 * (fluid_.density[i] + boundary_.density[b]);
-  return artificial_force(pair, fluid_.velocity[i] - boundary_.velocity[b], alpha_c0_h,
-                          boundary_.mass[b] / mean_density, model_.eta2());
+  return artificial_viscosity(pair, fluid_.velocity[i] - boundary_.velocity[b], alpha_c0_h,
+                              boundary_.mass[b] / mean_density, model_.eta2())
+      .acceleration;
 }
 
 void HostBackend::load_bodies_by_stress() {

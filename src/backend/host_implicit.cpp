@@ -113,17 +113,30 @@ void HostBackend::advance_state(double dt) {
   const double rho0 = model_.state.rho0;
   const Tait state = model_.state;
   const double catch_up = -std::expm1(-dt * state.c0 / (crowding_time * model_.h));
+  const auto sum_over_awake = [&](const auto& f) {
+    return blocked_sum(awake_.size(), threads_, [&](std::size_t k) { return f(awake_[k]); });
+  };
+  numerical_heat_.artificial_viscosity +=
+      dt * sum_over_awake([&](std::size_t i) { return fluid_.mass[i] * artificial_heat_[i]; });
   over_rows(awake_, threads_, [&](std::size_t i) {
     // d(ln rho)/dt over the step, as in correct().
-    const double k = dt * density_rate_[i] / fluid_.density[i];
-    fluid_.density[i] *= (2 + k) / (2 - k);
-    fluid_.density[i] = held_to_places(fluid_.density[i], i, catch_up);
+    const double before = fluid_.density[i];
+    const double k = dt * density_rate_[i] / before;
+    const double moved = before * (2 + k) / (2 - k);
     // Nothing presses on a particle by itself.
-    if (!has_neighbours_[i]) fluid_.density[i] = rho0;
+    const double held = has_neighbours_[i] ? held_to_places(moved, i, catch_up) : rho0;
+    fluid_.density[i] = held;
+    const double mean = 0.5 * (before + moved);
+    heat_of_diffusion_[i] = -state.pressure(mean) / (mean * mean) * dt * diffusion_rate_[i];
+    heat_of_hold_[i] = state.elastic_energy(moved) - state.elastic_energy(held);
     fluid_.position[i] += dt * fluid_.velocity[i];
     fluid_.calm[i] = is_calm(i) ? fluid_.calm[i] + dt : 0;
     fluid_.pressure[i] = state.pressure(fluid_.density[i]);
   });
+  numerical_heat_.density_diffusion +=
+      sum_over_awake([&](std::size_t i) { return fluid_.mass[i] * heat_of_diffusion_[i]; });
+  numerical_heat_.density_hold +=
+      sum_over_awake([&](std::size_t i) { return fluid_.mass[i] * heat_of_hold_[i]; });
   find_viscosity();
 }
 
@@ -143,10 +156,14 @@ void HostBackend::find_viscosity() {
 }
 
 void HostBackend::set_sound_speed(double c0) {
+  const Tait former = model_.state;
   model_.state.c0 = c0;
   const Tait state = model_.state;
-  over(fluid_.size(), threads_,
-       [&](std::size_t i) { fluid_.density[i] = state.density(fluid_.pressure[i]); });
+  numerical_heat_.sound_speed += blocked_sum(fluid_.size(), threads_, [&](std::size_t i) {
+    const double before = former.elastic_energy(fluid_.density[i]);
+    fluid_.density[i] = state.density(fluid_.pressure[i]);
+    return fluid_.mass[i] * (before - state.elastic_energy(fluid_.density[i]));
+  });
 }
 
 }  // namespace sabo

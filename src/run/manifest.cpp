@@ -43,14 +43,18 @@ std::string zone_text(const ZoneCase& c, const ZoneDepth& zone) {
 /// Of the whole run; `rows` are not empty.
 EnergyBalance balance_of(const std::vector<SeriesRow>& rows) {
   const SeriesRow& last = rows.back();
-  return energy_balance(rows.front().energy, last.energy, last.left, last.dissipated);
+  return energy_balance(rows.front().energy, last.energy, last.left, last.dissipated,
+                        last.numerical.total());
 }
 
-std::string energy_text(const EnergyBalance& energy) {
+std::string energy_text(const EnergyBalance& energy, const NumericalHeat& numerical) {
   return fmt::format(
       "\n[energy]\nreleased_J = {:.9g}\nkinetic_J = {:.9g}\ndissipated_J = {:.9g}\n"
-      "carried_off_J = {:.9g}\nimbalance = {:.6f}\n",
-      energy.released, energy.kinetic, energy.dissipated, energy.carried_off, energy.imbalance());
+      "artificial_viscosity_J = {:.9g}\ndensity_diffusion_J = {:.9g}\ndensity_hold_J = {:.9g}\n"
+      "sound_speed_J = {:.9g}\ncarried_off_J = {:.9g}\nimbalance = {:.6f}\n",
+      energy.released, energy.kinetic, energy.dissipated, numerical.artificial_viscosity,
+      numerical.density_diffusion, numerical.density_hold, numerical.sound_speed,
+      energy.carried_off, energy.imbalance());
 }
 
 std::string quantities_text(const std::vector<KeyQuantity>& quantities) {
@@ -135,7 +139,7 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       "creep = {:.4g}\n",
       facts.motion.is_at_rest, facts.motion.moving_volume, facts.motion.energy_share,
       facts.motion.creep);
-  if (!rows.empty()) text += energy_text(balance_of(rows));
+  if (!rows.empty()) text += energy_text(balance_of(rows), rows.back().numerical);
   text += quantities_text(facts.quantities);
   text += solver_toml(facts.solver) + passes_toml(facts.passes);
   write_file_atomically(folder.root() / "case.toml", write_case(c));
@@ -160,8 +164,11 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   if (!rows.empty()) {
     const EnergyBalance energy = balance_of(rows);
     lines.push_back(
-        fmt::format("Potential energy given up {:.4g} J, {:.2f} % of it unaccounted for",
-                    energy.released, 100 * std::abs(energy.imbalance())));
+        fmt::format("Potential energy given up {:.4g} J: {:.1f} % by friction and viscosity, "
+                    "{:.1f} % by the scheme itself, "
+                    "{:.2f} % unaccounted for",
+                    energy.released, 100 * energy.share(energy.dissipated),
+                    100 * energy.share(energy.numerical), 100 * std::abs(energy.imbalance())));
   }
   lines.push_back(solver_text(facts.solver));
   lines.push_back("Resolution: " + resolution_text(facts.resolution));

@@ -59,6 +59,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       sampling_distance_(std::max({scene.surface->elevation().grid.dx,
                                    scene.surface->elevation().grid.dy, c.numerics.spacing})),
       has_dams_(!scene.dams.empty()),
+      has_dynamic_walls_(c.numerics.method == Method::paper),
       front_csv_(folder.series() / "front.csv",
                  {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),
       discharge_csv_(folder.series() / "discharge.csv", discharge_header(scene)),
@@ -66,7 +67,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       zones_csv_(folder.series() / "zones.csv", zones_header(scene)),
       energy_csv_(folder.series() / "energy.csv",
                   {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
-                   "dissipated [J]", "left the map [J]"}),
+                   "dissipated [J]", "numerical [J]", "left the map [J]"}),
       rest_csv_(folder.series() / "rest.csv",
                 {"time [s]", "moving volume [m3]", "kinetic energy over its peak",
                  "creep [spacings/min]"}),
@@ -114,10 +115,12 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   row.front = front_.update(row.time, backend.fluid());
   row.energy = energy_of(backend.fluid(), model_.gravity, backend.model().state);
   // Dynamic boundary particles are compressed by the flow and give the energy back.
-  row.energy.elastic +=
-      energy_of(backend.boundary(), model_.gravity, backend.model().state).elastic;
+  if (has_dynamic_walls_)
+    row.energy.elastic +=
+        energy_of(backend.boundary(), model_.gravity, backend.model().state).elastic;
   row.left = left_;
   row.dissipated = stepper.dissipated();
+  row.numerical = backend.numerical_heat();
   rest_.update(row.time, backend.fluid());
   row.motion = rest_.state();
 
@@ -141,7 +144,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   write_zones(backend.fluid(), row);
   volumes_csv_.append(volumes);
   energy_csv_.append({row.time, row.energy.mass, row.energy.kinetic, row.energy.potential,
-                      row.energy.elastic, row.dissipated, row.left.total()});
+                      row.energy.elastic, row.dissipated, row.numerical.total(), row.left.total()});
   rest_csv_.append({row.time, row.motion.moving_volume, row.motion.energy_share, row.motion.creep});
   write_solver_row(stepper, report, backend);
   rows_.push_back(std::move(row));

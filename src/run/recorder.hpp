@@ -29,6 +29,7 @@ struct SeriesRow {
   Energy energy;
   Energy left;            ///< of what has left the map, at the time it did
   double dissipated = 0;  ///< J
+  NumericalHeat numerical;
   MotionState motion;
 };
 
@@ -71,6 +72,7 @@ class Recorder {
   double travelled_ = 0;      // by the fastest particle since the maps were sampled, m
   std::size_t put_back_seen_ = 0;
   bool has_dams_;
+  bool has_dynamic_walls_;
   Energy left_;
   std::vector<SeriesRow> rows_;
   CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_,

@@ -3,6 +3,7 @@
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
+#include "physics/pair/wall_contact.hpp"
 
 namespace sabo {
 namespace {
@@ -89,11 +90,29 @@ TEST(PairViscosity, IsTheHarmonicMean) {
 }
 
 TEST(ArtificialForce, ActsOnApproachOnly) {
-  EXPECT_EQ(artificial_force(pair, Vec3d{1, 0, 0}, 5.0, 0.1, 0.0), (Vec3d{0, 0, 0}));
-  const Vec3d a = artificial_force(pair, Vec3d{-1, 0, 0}, 5.0, 0.1, 0.0);
+  EXPECT_EQ(artificial_viscosity(pair, Vec3d{1, 0, 0}, 5.0, 0.1, 0.0).acceleration,
+            (Vec3d{0, 0, 0}));
+  const auto closing = artificial_viscosity(pair, Vec3d{-1, 0, 0}, 5.0, 0.1, 0.0);
+  const Vec3d a = closing.acceleration;
   // 5 x 0.1 x -2 x -3 / 25 = 0.12 along x_ij: apart
   EXPECT_NEAR(a.x, 0.36, 1e-15);
   EXPECT_NEAR(a.z, 0.48, 1e-15);
+  // Both accelerations of the pair along its 3 m/s m of approach: 0.12 x 3, half of it each.
+  EXPECT_NEAR(closing.heat, 0.18, 1e-15);
+}
+
+// Continuity, and 2 kg x 0.5 x 4 handed back.
+TEST(WallContact, AddsContinuityAndWhatTheWallHandsBack) {
+  const double mass = 2, weight = 0.5;
+  EXPECT_DOUBLE_EQ(closing(pair, Vec3d{1, 0, 0}), pair.gradient * 3);
+  EXPECT_DOUBLE_EQ(wall_continuity(pair, Vec3d{1, 0, 0}, mass, weight, 4.0),
+                   continuity(pair, Vec3d{1, 0, 0}, mass) + 4);
+}
+
+TEST(WallContact, DoesNotStretchWhatIsBelowTheReferenceDensity) {
+  EXPECT_EQ(one_sided(-2.0, 0.01), -2);
+  EXPECT_EQ(one_sided(2.0, -0.01), 2);
+  EXPECT_EQ(one_sided(-2.0, -0.01), 0);
 }
 
 }  // namespace

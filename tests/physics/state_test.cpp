@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include <gtest/gtest.h>
+#include <rapidcheck.h>
 
 #include "physics/equation_of_state.hpp"
 #include "physics/time_step.hpp"
@@ -35,6 +36,36 @@ TEST(Tait, DensityInvertsPressure) {
   const Tait state{1726, 100};
   for (const double p : {-1e4, 0.0, 1.0, 6.3e4, 1e6})
     EXPECT_NEAR(state.pressure(state.density(p)), p, 1e-9 * state.b());
+}
+
+const Tait water{1000, 50};
+
+TEST(ElasticEnergy, VanishesAtTheReferenceDensityOnly) {
+  EXPECT_EQ(water.elastic_energy(1000), 0);
+  EXPECT_GT(water.elastic_energy(1001), 0);
+  EXPECT_GT(water.elastic_energy(999), 0);
+}
+
+// x = 2: c0^2/7 ((64 - 1)/6 + 1/2 - 1) = 2500/7 x 10.
+TEST(ElasticEnergy, OfDoubledDensity) {
+  EXPECT_NEAR(water.elastic_energy(2000), 25000. / 7, 1e-10);
+}
+
+TEST(ElasticEnergy, OfSmallStrainIsThatOfASpring) {
+  // c0^2 e^2 / 2 (1 + 4/3 e + ...): the next term is below 2e-8 of it.
+  EXPECT_NEAR(water.elastic_energy(1000 + 1e-5) / (1250 * 1e-16), 1, 1e-6);
+}
+
+TEST(ElasticEnergy, DerivativeIsPressureOverDensitySquared) {
+  EXPECT_TRUE(rc::check("de/drho = p / rho^2", [] {
+    const double rho = 800 + *rc::gen::inRange(0, 4000) / 10.0;
+    const double step = 1e-3;
+    const double slope =
+        (water.elastic_energy(rho + step) - water.elastic_energy(rho - step)) / (2 * step);
+    const double expected = water.pressure(rho) / (rho * rho);
+    // Rounding of the difference: 1e-16 of e (at most 60 J/kg) over the step.
+    RC_ASSERT(std::abs(slope - expected) < 1e-10);
+  }));
 }
 
 TEST(MohrCoulomb, AddsFrictionOfTheEffectivePressureToCohesion) {

@@ -84,11 +84,11 @@ TEST(FastStepper, KeepsMassAndMomentumInFlight) {
 }
 
 // A block slumps on a floor: what it loses in height is found again as motion, compression and
-// heat. Density diffusion takes some, and so does the density held to the places.
+// heat, or in the account of what the scheme itself takes.
 TEST(FastStepper, AccountsForEnergyWhileABlockSlumps) {
   FlowModel model = test::plain_model(0.05, 30, 100);
   model.dimension = 2;
-  model.density_diffusion = 0;
+  model.artificial_viscosity = 0.02;
   const auto backend = make_backend(BackendKind::cpu, model);
   test::add_block(backend->fluid(), model, {-10, 10, 0, 1, 0, 20});
   test::add_block(backend->boundary(), model, {-40, 40, 0, 1, -3, 0});
@@ -101,7 +101,8 @@ TEST(FastStepper, AccountsForEnergyWhileABlockSlumps) {
   const double released = start.potential - end.potential;
   EXPECT_GT(released, 0.2 * 1000 * 9.81 * 0.5);
   EXPECT_GT(stepper.dissipated(), 0.3 * released);
-  EXPECT_NEAR(end.total() + stepper.dissipated(), start.total(), 0.05 * released);
+  const double numerical = backend->numerical_heat().total();
+  EXPECT_NEAR(end.total() + stepper.dissipated() + numerical, start.total(), 0.02 * released);
 }
 
 /// A block that shears under a viscosity of 1e5 Pa s, stepped once with so many iterations.

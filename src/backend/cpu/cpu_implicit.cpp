@@ -95,8 +95,8 @@ void CpuBackend::near_forces() {
       sweeps_.near_force({&scale_, &list_, flow_.data(), motion_.data(), needs_motion,
                           awake_.data(), chunk_rows_[chunk.first], chunk_rows_[chunk.last],
                           model_.gravity, &writer, acceleration_.data(),
-                          velocity_step_.conductance_sum.data(), filling_.data(),
-                          wall_share_.data()});
+                          velocity_step_.conductance_sum.data(), artificial_heat_.data(),
+                          filling_.data(), wall_share_.data()});
     });
   }
   load_bodies_by_pressure();
@@ -152,7 +152,7 @@ void CpuBackend::near_motion() {
   parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), wall_slope_.data(),
                          awake_.data(), range.first, range.last, strain_.data(),
-                         density_rate_.data(), support_.data()});
+                         density_rate_.data(), diffusion_rate_.data(), support_.data()});
   });
 }
 

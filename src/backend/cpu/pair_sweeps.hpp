@@ -94,6 +94,7 @@ struct NearForceTask {
   NearPairs::Writer* near;  ///< out
   Vec3d* acceleration;      ///< out, this and those below by particle
   float* conductance_sum;   ///< kg/s
+  double* artificial_heat;  ///< W/kg
   Filling* filling;
   WallShare* wall;
 };
@@ -107,9 +108,10 @@ struct NearMotionTask {
   const Vec3d* wall_slope;  ///< by particle: normal of the wall over the distance to it, 1/m
   const std::uint32_t* rows;
   std::size_t first, last;
-  Sym3<double>* strain;  ///< out, of the whole kernel even where a part of it is empty
-  double* density_rate;  ///< out
-  double* support;       ///< out, filled share of the kernel: 1 inside, about 1/2 at a surface
+  Sym3<double>* strain;    ///< out, of the whole kernel even where a part of it is empty
+  double* density_rate;    ///< out
+  double* diffusion_rate;  ///< out, share of density diffusion in it
+  double* support;         ///< out, filled share of the kernel: 1 inside, about 1/2 at a surface
 };
 
 /// q = m p + dt (sum_j a_ij (p_i - p_j) + drag p).

@@ -93,7 +93,8 @@ void ReferenceBackend::momentum() {
                           mass(j) / (density(i) * density(j)), model_.eta2());
       }
       const double mean_density = 0.5 * (density(i) + density(j));
-      a += artificial_force(pair, v, alpha_c0_h, mass(j) / mean_density, model_.eta2());
+      a += artificial_viscosity(pair, v, alpha_c0_h, mass(j) / mean_density, model_.eta2())
+               .acceleration;
     });
     acceleration_[i] = a;
     pressure_power_[i] = power;

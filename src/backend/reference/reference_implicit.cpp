@@ -23,7 +23,7 @@ void ReferenceBackend::near_forces() {
   const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
   for (const std::uint32_t i : awake_) {
     Vec3d a = model_.body_force(position(i));
-    double conductance = 0;
+    double conductance = 0, artificial_heat = 0;
     Filling filling{kernel.value(0) * mass(i) / rho0, {}};
     WallShare wall;
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
@@ -35,8 +35,10 @@ void ReferenceBackend::near_forces() {
       if (j < fluids) {
         // Not at walls, whose shear is that of their law.
         const double mean_density = 0.5 * (density(i) + density(j));
-        a += artificial_force(pair, velocity(i) - velocity(j), alpha_c0_h, mass(j) / mean_density,
-                              model_.eta2());
+        const auto artificial = artificial_viscosity(pair, velocity(i) - velocity(j), alpha_c0_h,
+                                                     mass(j) / mean_density, model_.eta2());
+        a += artificial.acceleration;
+        artificial_heat += artificial.heat;
         const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
         conductance +=
             viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0, volume);
@@ -49,6 +51,7 @@ void ReferenceBackend::near_forces() {
     });
     acceleration_[i] = a;
     velocity_step_.conductance_sum[i] = conductance;
+    artificial_heat_[i] = artificial_heat;
     filling_[i] = filling;
     wall_share_[i] = wall;
   }
@@ -107,7 +110,7 @@ void ReferenceBackend::near_motion() {
   for (std::size_t b = 0; b < boundary_.size(); ++b) closing_on_wall[b] = closing_on(b);
   for (const std::uint32_t i : awake_) {
     Sym3<double> eps{};
-    double rate = 0, wall_rate = 0;
+    double rate = 0, diffusion_rate = 0, wall_rate = 0;
     double support = 0;
     diffusion.hydrostatic = background_[i];
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
@@ -115,8 +118,8 @@ void ReferenceBackend::near_motion() {
       const double volume = mass(j) / (j < fluids ? density(j) : rho0);
       support -= volume * pair.gradient * pair.r2 / model_.dimension;
       if (j < fluids) {
-        rate += continuity(pair, v, mass(j)) +
-                diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
+        rate += continuity(pair, v, mass(j));
+        diffusion_rate += diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
         eps += strain_rate(pair, v, volume);
       } else {
         wall_rate += wall_continuity(pair, v, mass(j), kernel.value(std::sqrt(pair.r2)),
@@ -125,7 +128,8 @@ void ReferenceBackend::near_motion() {
       }
     });
     strain_[i] = (1 / std::max(0.4, support)) * eps;
-    density_rate_[i] = rate + one_sided(wall_rate, density(i) / rho0 - 1);
+    diffusion_rate_[i] = diffusion_rate;
+    density_rate_[i] = rate + diffusion_rate + one_sided(wall_rate, density(i) / rho0 - 1);
     support_[i] = support;
   }
 }

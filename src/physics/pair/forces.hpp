@@ -52,16 +52,25 @@ SABO_HD inline T viscous_conductance(const PairGeometry<T>& pair, T mu_ij, T vol
   return T(-2) * mu_ij * (volume_i * volume_j) * pair.gradient;
 }
 
-/// Artificial viscosity (Monaghan 1992), m/s2: - m_j Pi_ij grad W with
+/// What the pair's artificial viscosity makes of its motion, m/s2 and W/kg of particle i, whose
+/// share of the heat is half.
+template <class T>
+struct ArtificialViscosity {
+  Vec3<T> acceleration;
+  T heat;
+};
+
+/// Artificial viscosity (Monaghan 1992): - m_j Pi_ij grad W with
 /// Pi_ij = - alpha c0 h (v.x) / ((r^2 + eta^2) rho_mean) for approaching pairs, else 0.
 template <class T>
-SABO_HD inline Vec3<T> artificial_force(const PairGeometry<T>& pair, const Vec3<T>& v_ij,
-                                        T alpha_c0_h, T mass_j_over_mean_density, T eta2) {
+SABO_HD inline ArtificialViscosity<T> artificial_viscosity(const PairGeometry<T>& pair,
+                                                           const Vec3<T>& v_ij, T alpha_c0_h,
+                                                           T mass_j_over_mean_density, T eta2) {
   const T approach = dot(v_ij, pair.x);
   const T closing = smaller(approach, T(0));
   const T strength =
       alpha_c0_h * mass_j_over_mean_density * pair.gradient * closing / (pair.r2 + eta2);
-  return strength * pair.x;
+  return {strength * pair.x, T(-0.5) * strength * approach};
 }
 
 }  // namespace sabo

@@ -81,6 +81,7 @@ struct NearForceSums {
   Vec filling_gradient;
   Lanes share;
   Vec gradient, wall_velocity;
+  Lanes artificial_heat;
 };
 
 template <bool periodic, bool with_motion>
@@ -104,8 +105,10 @@ HWY_INLINE void add_fluid_forces(const Constants& s, const NearForceTask& task, 
       const Columns m = motion_records(task.motion, k);
       const MotionRecord& mine = task.motion[i];
       const Vec v = Vec{Lanes(mine.vx), Lanes(mine.vy), Lanes(mine.vz)} - Vec{m[3], m[4], m[5]};
-      sums.acceleration +=
-          artificial_force(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
+      const auto artificial =
+          artificial_viscosity(pair, v, s.alpha_c0_h, Lanes(2) * j[3] / (density + j[7]), s.eta2);
+      sums.acceleration += artificial.acceleration;
+      sums.artificial_heat += artificial.heat;
     }
     const Picked near(hn::Lt((pair.gradient * pair.r2).v, hn::Zero(Lanes::Tag())));
     near.store(indices, hn::LoadU(indices, k), task.near->index());
@@ -154,6 +157,7 @@ void near_force_range(const NearForceTask& task) {
     const Vec& n = sums.gradient;
     const Vec& w = sums.wall_velocity;
     task.acceleration[i] = task.gravity + Vec3d{sum(a.x), sum(a.y), sum(a.z)};
+    task.artificial_heat[i] = sum(sums.artificial_heat);
     task.conductance_sum[i] = sum(sums.conductance);
     const float share = sum(sums.share);
     const Vec full = sums.filling_gradient + n;
@@ -165,7 +169,7 @@ void near_force_range(const NearForceTask& task) {
 
 struct NearMotionSums {
   Sym3<Lanes> eps;
-  Lanes rate, wall_rate;
+  Lanes rate, diffusion_rate, wall_rate;
   Lanes support;
 };
 
@@ -184,7 +188,8 @@ HWY_INLINE void add_near_motion(const Constants& s, const NearMotionTask& task, 
     const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
     const Vec v = velocity - Vec{j[3], j[4], j[5]};
     const Lanes mass_j = j[7] * (s.rho0 + s.rho0 * j[6]);
-    sums.rate += continuity(pair, v, mass_j) + diffusion(pair, excess, j[6], mass_j);
+    sums.rate += continuity(pair, v, mass_j);
+    sums.diffusion_rate += diffusion(pair, excess, j[6], mass_j);
     sums.eps += strain_rate(pair, v, j[7]);
     sums.support += j[7] * pair.gradient * pair.r2;
   }
@@ -218,7 +223,10 @@ void near_motion_range(const NearMotionTask& task) {
     const Sym3<Lanes>& e = sums.eps;
     task.strain[i] =
         scale * Sym3<double>{sum(e.xx), sum(e.xy), sum(e.xz), sum(e.yy), sum(e.yz), sum(e.zz)};
-    task.density_rate[i] = sum(sums.rate) + one_sided(sum(sums.wall_rate), task.records[i].excess);
+    const float diffusion_rate = sum(sums.diffusion_rate);
+    const float wall_rate = one_sided(sum(sums.wall_rate), task.records[i].excess);
+    task.diffusion_rate[i] = diffusion_rate;
+    task.density_rate[i] = sum(sums.rate) + diffusion_rate + wall_rate;
     task.support[i] = support;
   }
 }

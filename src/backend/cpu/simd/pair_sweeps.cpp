@@ -100,8 +100,9 @@ HWY_INLINE void add_force(const Constants& s, const ForceTask& task, std::size_t
         sums.acceleration += morris_force(pair, v, mu, mass_j / (density * density_j), s.eta2);
       }
       if constexpr (artificial)
-        sums.acceleration += artificial_force(pair, v, s.alpha_c0_h,
-                                              Lanes(2) * mass_j / (density + density_j), s.eta2);
+        sums.acceleration += artificial_viscosity(pair, v, s.alpha_c0_h,
+                                                  Lanes(2) * mass_j / (density + density_j), s.eta2)
+                                 .acceleration;
     }
   }
 }
