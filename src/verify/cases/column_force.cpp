@@ -134,10 +134,9 @@ Verdict verify_column_force(const VerifySettings& settings) {
       "gate "
       "to the column. The measured 0.358 s hold the time in which the gate was drawn, which is not "
       "known; other times count from the arrival",
-      "Impulse: water that runs up the column and round it is under tension and pulls at it. At dp "
-      "0.03 m the plateau rises from 12 to 14.6 N and the impulse over 0.33-1.33 s from 8.8 to 9.9 "
-      "N s with densities held at or above that of rest; with that at free surfaces only and no "
-      "tension across walls to 18 N and 11.7 N s"};
+      "The first blow is a bore that starts at once; how much of what it is too strong by belongs "
+      "to "
+      "the drawn gate is not known"};
   return verdict;
 }
 

@@ -131,7 +131,7 @@ Verdict verify_frictional_dam_break(const VerifySettings& settings) {
   const DepthAveraged reference{25};
   const std::string at = fmt::format("h0/dp {}", cells);
   const Track found = track({25, internal_friction}, cells, settings, on_share(0.6));
-  for (const int k : {4, 5, 6})
+  for (const int k : {2, 3, 4, 5, 6})
     verdict.claims.push_back(Claim::within_share(
         fmt::format("depth h0/10 at {} √(h0/g), {}", k, at), "m", found.tenth[k - 1],
         reference.place(k * unit_time, 0.1 * h0), is_quick ? 0.15 : 0.1));
@@ -157,8 +157,7 @@ Verdict verify_frictional_dam_break(const VerifySettings& settings) {
         "The front of the depth-averaged solution is a film, thinner than a tenth of the depth for "
         "the last two fifths of its way, and has its full speed from the start. A flow that "
         "resolves its depth has to fall first: without any friction it is behind its own solution "
-        "as well. From h0/dp 20 to 40 the foremost particle at 4 √(h0/g) goes from 0.63 to 0.69 of "
-        "the way.");
+        "as well");
   LineChart chart{"Dam break on 30°, wall friction 25°", "time over √(h0/g)", "place [m]"};
   chart.series = {over_time("foremost particle, " + at, found.tip),
                   over_time("depth h0/10, " + at, found.tenth), exact("front, depth-averaged", 0),

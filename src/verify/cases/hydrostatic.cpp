@@ -144,6 +144,15 @@ void add_claims(const Variant& variant, const Outcome& outcome, double end, Verd
                      outcome.density_error, 0.003));
 }
 
+/// The explicit method would need steps of less than a microsecond for the fluids with a yield
+/// stress at these spacings.
+std::vector<Variant> variants_of_water() {
+  return {{"column", Shape::column, 25},
+          {"column", Shape::column, 50},
+          {"wedge", Shape::wedge, 50},
+          {"flat DEM", Shape::flat_dem, 25}};
+}
+
 std::vector<Variant> variants(bool quick) {
   const Variant bingham{"Bingham", Shape::column, quick ? 20 : 50, Bingham{{20, 1e4}}, {50, 0, 0}};
   if (quick) return {{"column", Shape::column, 20}, bingham, {"flat DEM", Shape::flat_dem, 10}};
@@ -153,9 +162,9 @@ std::vector<Variant> variants(bool quick) {
           bingham,
           {"Mohr-Coulomb", Shape::column, 50, Cross{20, 1e4, 1}, {0, 30, 0}},
           {"wedge", Shape::wedge, 50},
-          {"flat DEM", Shape::flat_dem, 25},
-          {"rough DEM", Shape::rough_dem, 25},
-          {"DEM of 30° in a box", Shape::box, 25}};
+          {"flat DEM", Shape::flat_dem, 50},
+          {"rough DEM", Shape::rough_dem, 50},
+          {"DEM of 30° in a box", Shape::box, 50}};
 }
 
 }  // namespace
@@ -163,7 +172,8 @@ std::vector<Variant> variants(bool quick) {
 Verdict verify_hydrostatic(const VerifySettings& settings) {
   const bool quick = settings.is_quick();
   const double end = quick ? 2 : 10;
-  const std::vector<Variant> list = variants(quick);
+  const std::vector<Variant> list =
+      settings.method == Method::paper && !quick ? variants_of_water() : variants(quick);
   const auto work_of = [](const Variant& variant) {
     return std::pow(variant.cells, 2) * (variant.is_flat() ? 1 : 20);
   };
@@ -192,17 +202,13 @@ Verdict verify_hydrostatic(const VerifySettings& settings) {
   verdict.remarks = {"water has an artificial viscosity α of 0.02"};
   if (!quick && settings.method == Method::fast) {
     verdict.remarks.push_back(
-        "without α: greatest speed 0.03 √(gH) in the column of H/50, pressures within the same "
-        "gates");
+        "speed: whole rows of the square lattice slide over each other after 2 s, their heights "
+        "unchanged");
     verdict.remarks.push_back(
-        "box: about the level that the pressure itself tells, 0.007 m above that of the volume, "
-        "the "
-        "error is 0.8 %; why the level is higher is not known, the stairs in which rows of the "
-        "lattice end on the slope are a guess");
-    verdict.remarks.push_back(
-        "speed: whole rows of the square lattice slide over each other after 2 s. In a column of "
-        "H/25 with 10 Pa s they move at 0.006 to 0.007 √(gH), their heights unchanged, and stand "
-        "at random to each other by 8 s");
+        "box: the water circulates along the slope and stands higher than its volume tells. At "
+        "H/25 it does so at 0.02 √(gH), without the hold of density to the places of particles at "
+        "0.1 √(gH); the same without the weight in the wall's pressure and without what walls hand "
+        "back. The cause is not known");
   }
   settings.on_progress(1);
   return verdict;

@@ -141,14 +141,6 @@ Verdict verify_yohutagawa(const VerifySettings& settings) {
                         number.unit, value, number.value));
       }
   }
-  if (!settings.is_quick())
-    verdict.remarks.push_back(
-        "energy: 1 to 2 % is missing where the flow is two or three particles deep. It is not the "
-        "time "
-        "step (the same with a CFL number from 0.6 to 0.05), density diffusion or the hold of "
-        "density to "
-        "the places of particles (the same without); what remains is the work of the pressure that "
-        "the ground takes from the flow, which is in no account");
   verdict.remarks.push_back(fmt::format(
       "spacing {:g} m; the published run has 0.75 m, its terrain is not public", spacing));
   return verdict;
