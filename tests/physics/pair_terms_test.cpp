@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "physics/pair/density.hpp"
@@ -101,12 +103,24 @@ TEST(ArtificialForce, ActsOnApproachOnly) {
   EXPECT_NEAR(closing.heat, 0.18, 1e-15);
 }
 
-// Continuity, and 2 kg x 0.5 x 4 handed back.
-TEST(WallContact, AddsContinuityAndWhatTheWallHandsBack) {
-  const double mass = 2, weight = 0.5;
+TEST(WallContact, HandsBackWhatClosesInOnIt) {
   EXPECT_DOUBLE_EQ(closing(pair, Vec3d{1, 0, 0}), pair.gradient * 3);
-  EXPECT_DOUBLE_EQ(wall_continuity(pair, Vec3d{1, 0, 0}, mass, weight, 4.0),
-                   continuity(pair, Vec3d{1, 0, 0}, mass) + 4);
+  EXPECT_DOUBLE_EQ(handed_back(0.5, Vec3d{}, 4.0, Vec3d{1, 2, 3}), 2);  // 0.5 x 4
+}
+
+// A flow that slides along a wall as one closes in on nothing: v_j = 2 m/s along x throughout, seen
+// from a wall particle whose neighbours lie on one side only.
+TEST(WallContact, HandsNothingBackToAFlowThatSlidesAsOne) {
+  const Vec3d sliding{2, 0, 0}, normal{0, 0, 1};
+  double rate = 0;
+  Vec3d gradient;
+  for (const Vec3d& x : {Vec3d{0.3, 0, -0.4}, Vec3d{0.5, 0.1, -0.4}, Vec3d{0.1, 0, -0.6}}) {
+    const auto seen = pair_geometry(x, WendlandC2<double>::make(1, 3));
+    rate += closing(seen, -1.0 * sliding);
+    gradient += seen.gradient * seen.x;
+  }
+  EXPECT_GT(std::abs(rate), 1);
+  EXPECT_NEAR(handed_back(0.5, along(sliding + Vec3d{0, 0, 7}, normal), rate, gradient), 0, 1e-14);
 }
 
 TEST(WallContact, DoesNotStretchWhatIsBelowTheReferenceDensity) {

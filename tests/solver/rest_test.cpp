@@ -98,7 +98,8 @@ TEST_P(Rest, AClosedBoxKeepsItsWater) {
                                  {0, 20, 10, 13, 0, 16}})
     test::add_block(backend->boundary(), model, wall);
   const auto stepper = test::stepper_of(GetParam(), *backend);
-  while (stepper->time() < 1) stepper->step();
+  // By the fast method, which damps sound little, it rings for a second or two.
+  stepper->advance_to(GetParam() == Method::fast ? 3 : 1);
   EXPECT_EQ(backend->fluid().size(), 2000u);
   for (const Vec3d& x : backend->fluid().position) {
     EXPECT_TRUE(x.x > 0 && x.x < 1 && x.y > 0 && x.y < 0.5 && x.z > 0 && x.z < 0.6);

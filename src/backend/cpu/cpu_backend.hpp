@@ -57,7 +57,8 @@ class CpuBackend : public HostBackend {
   std::vector<std::uint32_t> touched_walls_;  // boundary rows with a fluid particle that is awake
   std::vector<std::size_t> chunk_rows_;       // where each chunk of the list begins in awake_
   std::vector<FlowRecord> flow_;
-  std::vector<float> wall_pressure_, wall_weight_, wall_closing_;
+  std::vector<float> wall_pressure_, wall_weight_;
+  std::vector<ClosingRecord> closing_;  ///< by particle; of walls
   NearPairs near_;
   VelocityStep<float> velocity_step_;
   std::vector<std::array<double, 3>> dots_;

@@ -14,6 +14,7 @@ void CpuBackend::prepare_rows() {
   velocity_step_.reset(fluids);
   flow_.resize(fluids + boundary_.size());
   motion_.resize(fluids + boundary_.size());
+  closing_.resize(fluids + boundary_.size());
   touched_walls_.clear();
   for (std::size_t b = fluids; b < list_.size(); ++b) {
     const PairList::Row row = list_.row(b);
@@ -21,7 +22,7 @@ void CpuBackend::prepare_rows() {
     if (std::any_of(row.fluid, row.boundary, is_awake))
       touched_walls_.push_back(static_cast<std::uint32_t>(b));
   }
-  for (std::vector<float>* of_wall : {&wall_pressure_, &wall_weight_, &wall_closing_})
+  for (std::vector<float>* of_wall : {&wall_pressure_, &wall_weight_})
     of_wall->resize(touched_walls_.size());
   chunk_rows_.assign(1, 0);
   for (std::size_t c = 0; c * PairList::chunk < fluids; ++c) {
@@ -141,17 +142,11 @@ void CpuBackend::near_motion() {
   pack_near_motion();
   parallel_blocks(touched_walls_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.wall_closing({&scale_, &list_, motion_.data(), touched_walls_.data(), range.first,
-                          range.last, wall_pressure_.data(), wall_weight_.data(),
-                          wall_closing_.data()});
-  });
-  over(touched_walls_.size(), threads(), [&](std::size_t k) {
-    MotionRecord& wall = motion_[touched_walls_[k]];
-    wall.excess = wall_closing_[k];
-    wall.volume = flow_[touched_walls_[k]].volume;
+                          range.last, wall_pressure_.data(), wall_weight_.data(), closing_.data()});
   });
   parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
-    sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), wall_slope_.data(),
-                         awake_.data(), range.first, range.last, strain_.data(),
+    sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), closing_.data(),
+                         wall_slope_.data(), awake_.data(), range.first, range.last, strain_.data(),
                          density_rate_.data(), diffusion_rate_.data(), support_.data()});
   });
 }

@@ -78,7 +78,7 @@ struct WallClosingTask {
   std::size_t first, last;    ///< range of `rows`
   const float* pressure;      ///< this and those below by place in `rows`; rows without are at rest
   const float* weight;
-  float* closing_per_weight;  ///< out, 1/s
+  ClosingRecord* closing;  ///< out, by particle
 };
 
 /// Acceleration by gravity and pressure, the viscous matrix and where the walls are.
@@ -105,6 +105,7 @@ struct NearMotionTask {
   const NearPairs* near;
   const MotionRecord* records;
   const Vec3d* background;  ///< by particle: density gradient that diffusion leaves alone, 1/m
+  const ClosingRecord* closing;
   const Vec3d* wall_slope;  ///< by particle: normal of the wall over the distance to it, 1/m
   const std::uint32_t* rows;
   std::size_t first, last;

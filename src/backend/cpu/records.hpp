@@ -11,8 +11,8 @@ namespace sabo {
 struct alignas(32) MotionRecord {
   std::int32_t x, y, z;  ///< position / PairScale::unit
   float vx, vy, vz;      ///< m/s
-  float excess;          ///< rho / rho0 - 1; of walls in near_motion closing per weight, 1/s
-  float volume;          ///< m / rho, m3 (m2 in two dimensions); of walls in near_motion m / rho0
+  float excess;          ///< rho / rho0 - 1
+  float volume;          ///< m / rho, m3 (m2 in two dimensions)
 };
 static_assert(sizeof(MotionRecord) == 32);
 
@@ -37,5 +37,13 @@ struct alignas(32) FlowRecord {
   float density;    ///< kg/m3
 };
 static_assert(sizeof(FlowRecord) == 32);
+
+/// What a wall particle hands back (physics/pair/wall_contact.hpp), per sum of weights W.
+struct alignas(32) ClosingRecord {
+  float rate;        ///< 1/s
+  float gx, gy, gz;  ///< gradient of the sum of W, 1/m
+  float unused[4];
+};
+static_assert(sizeof(ClosingRecord) == 32);
 
 }  // namespace sabo

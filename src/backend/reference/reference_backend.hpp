@@ -29,6 +29,13 @@ class ReferenceBackend : public HostBackend {
   void fluid_near(std::size_t i, std::vector<std::uint32_t>& near) const override;
 
  private:
+  /// What wall particle b hands back, over the sum of its weights.
+  struct Closing {
+    double rate = 0;  ///< 1/s
+    Vec3d gradient;   ///< 1/m
+  };
+  Closing closing_on(std::size_t b) const;
+
   /// Calls f(j of all particles, geometry) for each particle within the kernel of particle i.
   template <class F>
   void for_each_neighbour(std::size_t i, bool fluid_only, const F& f) const {
@@ -47,7 +54,6 @@ class ReferenceBackend : public HostBackend {
   double density(std::size_t k) const;
   double mass(std::size_t k) const;
   double pressure_of(std::size_t k) const;
-  double closing_on(std::size_t b) const;
   double pressure_term(std::size_t k) const;  ///< p / rho^2
 
   VelocityStep<double> velocity_step_;

@@ -86,16 +86,17 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
                                 multiply);
 }
 
-/// Per weight of the fluid near boundary particle b, 1/s.
-double ReferenceBackend::closing_on(std::size_t b) const {
-  if (!(boundary_.pressure[b] > 0)) return 0;
+ReferenceBackend::Closing ReferenceBackend::closing_on(std::size_t b) const {
+  if (!(boundary_.pressure[b] > 0)) return {};
   const auto kernel = model_.kernel<double>();
-  double weight = 0, sum = 0;
+  double weight = 0;
+  Closing sum;
   for_each_neighbour(fluid_.size() + b, true, [&](std::size_t j, const PairGeometry<double>& pair) {
     weight += kernel.value(std::sqrt(pair.r2));
-    sum += closing(pair, boundary_.velocity[b] - velocity(j));
+    sum.rate += closing(pair, boundary_.velocity[b] - velocity(j));
+    sum.gradient += pair.gradient * pair.x;
   });
-  return weight > 0 ? sum / weight : 0;
+  return weight > 0 ? Closing{sum.rate / weight, (1 / weight) * sum.gradient} : Closing{};
 }
 
 void ReferenceBackend::near_motion() {
@@ -106,24 +107,27 @@ void ReferenceBackend::near_motion() {
       2 * model_.density_diffusion * model_.h * model_.state.c0, model_.eta2(), {}};
   const double rho0 = model_.state.rho0;
   const auto kernel = model_.kernel<double>();
-  std::vector<double> closing_on_wall(boundary_.size());
+  std::vector<Closing> closing_on_wall(boundary_.size());
   for (std::size_t b = 0; b < boundary_.size(); ++b) closing_on_wall[b] = closing_on(b);
   for (const std::uint32_t i : awake_) {
     Sym3<double> eps{};
     double rate = 0, diffusion_rate = 0, wall_rate = 0;
     double support = 0;
     diffusion.hydrostatic = background_[i];
+    const Vec3d normal = (1 / std::max(1e-30, norm(wall_slope_[i]))) * wall_slope_[i];
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);
-      const double volume = mass(j) / (j < fluids ? density(j) : rho0);
+      const double volume = mass(j) / density(j);
       support -= volume * pair.gradient * pair.r2 / model_.dimension;
       if (j < fluids) {
         rate += continuity(pair, v, mass(j));
         diffusion_rate += diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
         eps += strain_rate(pair, v, volume);
       } else {
-        wall_rate += wall_continuity(pair, v, mass(j), kernel.value(std::sqrt(pair.r2)),
-                                     closing_on_wall[j - fluids]);
+        const double weight = kernel.value(std::sqrt(pair.r2));
+        const Closing& c = closing_on_wall[j - fluids];
+        wall_rate += continuity(pair, v, mass(j)) +
+                     handed_back(mass(j) * weight, along(v, normal), c.rate, c.gradient);
         eps += strain_rate(pair, std::max(0.0, dot(wall_slope_[i], pair.x)) * v, volume);
       }
     });

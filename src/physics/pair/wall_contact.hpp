@@ -23,13 +23,20 @@ SABO_HD inline T closing(const PairGeometry<T>& pair, const Vec3<T>& v_wj) {
   return pair.gradient * dot(v_wj, pair.x);
 }
 
-/// Density rate by a wall neighbour, kg/m3/s: continuity at the wall as it moves, and the share in
-/// what the wall hands back. `closing_per_weight`: sum of closing over the fluid at the wall
-/// particle, over the sum of its weights W, 1/s; 0 for a wall without pressure.
+/// The part of a velocity along a wall of the given normal.
 template <class T>
-SABO_HD inline T wall_continuity(const PairGeometry<T>& pair, const Vec3<T>& v_iw, T mass_w,
-                                 T weight, T closing_per_weight) {
-  return continuity(pair, v_iw, mass_w) + mass_w * weight * closing_per_weight;
+SABO_HD inline Vec3<T> along(const Vec3<T>& v, const Vec3<T>& normal) {
+  return v - dot(v, normal) * normal;
+}
+
+/// Density rate that a wall neighbour hands back, kg/m3/s. Over the sum of the weights W at the
+/// wall particle, which must be under pressure, `closing` is the sum of closing() and `gradient`
+/// that of grad_w W_wj. Seen by the particle as it slides along the wall, so that a front that runs
+/// over a floor does not count as fluid that closes in on what lies before it.
+template <class T>
+SABO_HD inline T handed_back(T mass_times_weight, const Vec3<T>& v_along, T closing,
+                             const Vec3<T>& gradient) {
+  return mass_times_weight * (closing + dot(v_along, gradient));
 }
 
 /// Density rate of a particle by all its wall neighbours, by the sum over them.

@@ -28,6 +28,10 @@ HWY_INLINE Columns motion_records(const MotionRecord* records, const std::uint32
   return load_transposed(reinterpret_cast<const float*>(records), 8, 0, k);
 }
 
+HWY_INLINE Columns closing_records(const ClosingRecord* records, const std::uint32_t* k) {
+  return load_transposed(reinterpret_cast<const float*>(records), 8, 0, k);
+}
+
 template <bool periodic>
 void wall_pressure_range(const WallPressureTask& task) {
   const Constants s(*task.scale);
@@ -57,20 +61,28 @@ template <bool periodic>
 void wall_closing_range(const WallClosingTask& task) {
   const Constants s(*task.scale);
   for (std::size_t place = task.first; place < task.last; ++place) {
-    task.closing_per_weight[place] = 0;
-    if (!(task.pressure[place] > 0)) continue;
     const std::size_t i = task.rows[place];
+    ClosingRecord& closing_of = task.closing[i];
+    closing_of = {};
+    if (!(task.pressure[place] > 0)) continue;
     const PairList::Row row = task.list->row(i);
     const MotionRecord& me = task.records[i];
     const std::int32_t at[3] = {me.x, me.y, me.z};
     const Vec velocity{Lanes(me.vx), Lanes(me.vy), Lanes(me.vz)};
-    Lanes total;
+    Lanes rate;
+    Vec gradient;
     for (const std::uint32_t* k = row.fluid; k != row.boundary; k += Lanes::count) {
       const Columns j = motion_records(task.records, k);
       const auto pair = pair_geometry(separation<periodic>(s, at, j), s.kernel);
-      total += closing(pair, velocity - Vec{j[3], j[4], j[5]});
+      rate += closing(pair, velocity - Vec{j[3], j[4], j[5]});
+      gradient += pair.gradient * pair.x;
     }
-    task.closing_per_weight[place] = sum(total) / task.weight[place];
+    const float scale = 1 / task.weight[place];
+    closing_of = {scale * sum(rate),
+                  scale * sum(gradient.x),
+                  scale * sum(gradient.y),
+                  scale * sum(gradient.z),
+                  {}};
   }
 }
 
@@ -196,12 +208,16 @@ HWY_INLINE void add_near_motion(const Constants& s, const NearMotionTask& task, 
   if (row.boundary == row.end) return;
   const Vec3d& n = task.wall_slope[i];
   const Vec slope{Lanes(float(n.x)), Lanes(float(n.y)), Lanes(float(n.z))};
+  const Vec normal = Lanes(1 / std::max(1e-30f, float(norm(n)))) * slope;
   for (const std::uint32_t* k = row.boundary; k != row.end; k += Lanes::count) {
     const Columns j = motion_records(task.records, k);
     const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
     const Vec v = velocity - Vec{j[3], j[4], j[5]};
+    const Lanes mass_j = j[7] * (s.rho0 + s.rho0 * j[6]);
     const Lanes weight = s.kernel.value(sqrt(pair.r2)) * positive(pair.r2);
-    sums.wall_rate += wall_continuity(pair, v, j[7] * s.rho0, weight, j[6]);
+    const Columns c = closing_records(task.closing, k);
+    sums.wall_rate += continuity(pair, v, mass_j) +
+                      handed_back(mass_j * weight, along(v, normal), c[0], {c[1], c[2], c[3]});
     // The flow goes on into the wall as it comes from it, through the wall's velocity at the wall
     // (Morris et al. 1997): the difference grows with the distance along the normal.
     sums.eps += strain_rate(pair, larger(dot(slope, pair.x), Lanes(0.0f)) * v, j[7]);
