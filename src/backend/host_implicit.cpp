@@ -22,10 +22,10 @@ WallContact HostBackend::contact_of(const Law& law, std::size_t i, const Vec3d& 
                                     double distance) const {
   const WallShare& wall = wall_share_[i];
   const Vec3d relative = fluid_.velocity[i] - (1 / wall.share) * wall.velocity;
-  const Vec3d along = relative - dot(relative, normal) * normal;
+  const Vec3d slip = along(relative, normal);
 
   WallContact at;
-  at.speed = norm(along);
+  at.speed = norm(slip);
   at.density = fluid_.density[i];
   const Vec3d force = model_.body_force(fluid_.position[i]);
   at.gravity = norm(force);
@@ -40,7 +40,7 @@ WallContact HostBackend::contact_of(const Law& law, std::size_t i, const Vec3d& 
   // u/d is the shear rate halfway to the wall. What the friction of the last step takes from the
   // fluid between there and the wall, rho f d/2, comes on top, whatever the law of flow.
   const double halfway_sticking = convention * law.viscosity(shear) / distance;
-  const double taken = -dot(fluid_.drag[i], along);
+  const double taken = -dot(fluid_.drag[i], slip);
   const double more =
       at.speed > 0 ? 0.5 * at.density * distance * taken / (at.speed * at.speed) : 0;
   at.sticking =
@@ -116,8 +116,9 @@ void HostBackend::advance_state(double dt) {
   const auto sum_over_awake = [&](const auto& f) {
     return blocked_sum(awake_.size(), threads_, [&](std::size_t k) { return f(awake_[k]); });
   };
-  numerical_heat_.artificial_viscosity +=
-      dt * sum_over_awake([&](std::size_t i) { return fluid_.mass[i] * artificial_heat_[i]; });
+  if (model_.artificial_viscosity > 0)
+    numerical_heat_.artificial_viscosity +=
+        dt * sum_over_awake([&](std::size_t i) { return fluid_.mass[i] * artificial_heat_[i]; });
   over_rows(awake_, threads_, [&](std::size_t i) {
     // d(ln rho)/dt over the step, as in correct().
     const double before = fluid_.density[i];
@@ -127,16 +128,16 @@ void HostBackend::advance_state(double dt) {
     const double held = has_neighbours_[i] ? held_to_places(moved, i, catch_up) : rho0;
     fluid_.density[i] = held;
     const double mean = 0.5 * (before + moved);
-    heat_of_diffusion_[i] = -state.pressure(mean) / (mean * mean) * dt * diffusion_rate_[i];
-    heat_of_hold_[i] = state.elastic_energy(moved) - state.elastic_energy(held);
+    const double mass = fluid_.mass[i];
+    heat_of_diffusion_[i] = -mass * state.pressure(mean) / (mean * mean) * dt * diffusion_rate_[i];
+    heat_of_hold_[i] = mass * (state.elastic_energy(moved) - state.elastic_energy(held));
     fluid_.position[i] += dt * fluid_.velocity[i];
     fluid_.calm[i] = is_calm(i) ? fluid_.calm[i] + dt : 0;
     fluid_.pressure[i] = state.pressure(fluid_.density[i]);
   });
   numerical_heat_.density_diffusion +=
-      sum_over_awake([&](std::size_t i) { return fluid_.mass[i] * heat_of_diffusion_[i]; });
-  numerical_heat_.density_hold +=
-      sum_over_awake([&](std::size_t i) { return fluid_.mass[i] * heat_of_hold_[i]; });
+      sum_over_awake([&](std::size_t i) { return heat_of_diffusion_[i]; });
+  numerical_heat_.density_hold += sum_over_awake([&](std::size_t i) { return heat_of_hold_[i]; });
   find_viscosity();
 }
 

@@ -3,6 +3,8 @@
 namespace sabo {
 
 /// What the implicit scheme itself has taken from the energy of the flow, J; negative what it gave.
+/// Of the explicit method it stays zero: there artificial viscosity counts as dissipation and
+/// density diffusion as unaccounted for.
 struct NumericalHeat {
   double artificial_viscosity = 0;
   double density_diffusion = 0;

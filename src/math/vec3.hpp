@@ -56,6 +56,12 @@ SABO_HD T norm(const Vec3<T>& a) {
   return sqrt(dot(a, a));
 }
 
+/// The part of v at right angles to a normal of length one: along the surface it stands on.
+template <class T>
+SABO_HD constexpr Vec3<T> along(const Vec3<T>& v, const Vec3<T>& normal) {
+  return v - dot(v, normal) * normal;
+}
+
 template <class T>
 SABO_HD Vec3<T> normalised(const Vec3<T>& a) {
   return (T(1) / norm(a)) * a;

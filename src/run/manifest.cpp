@@ -165,8 +165,7 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
     const EnergyBalance energy = balance_of(rows);
     lines.push_back(
         fmt::format("Potential energy given up {:.4g} J: {:.1f} % by friction and viscosity, "
-                    "{:.1f} % by the scheme itself, "
-                    "{:.2f} % unaccounted for",
+                    "{:.1f} % by the scheme itself, {:.2f} % unaccounted for",
                     energy.released, 100 * energy.share(energy.dissipated),
                     100 * energy.share(energy.numerical), 100 * std::abs(energy.imbalance())));
   }

@@ -22,8 +22,8 @@ void CpuBackend::prepare_rows() {
     if (std::any_of(row.fluid, row.boundary, is_awake))
       touched_walls_.push_back(static_cast<std::uint32_t>(b));
   }
-  for (std::vector<float>* of_wall : {&wall_pressure_, &wall_weight_})
-    of_wall->resize(touched_walls_.size());
+  wall_pressure_.resize(touched_walls_.size());
+  wall_weight_.resize(touched_walls_.size());
   chunk_rows_.assign(1, 0);
   for (std::size_t c = 0; c * PairList::chunk < fluids; ++c) {
     const auto end = std::lower_bound(awake_.begin(), awake_.end(), (c + 1) * PairList::chunk);
@@ -138,12 +138,16 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
 void CpuBackend::near_motion() {
   load_bodies_by_friction();
   find_diffusion_background();
+  {
+    const PassClock clock(pass_times_, "wall closing", boundary_pairs_);
+    pack_near_motion();
+    parallel_blocks(touched_walls_.size(), sweep_block, threads(), [&](Range range) {
+      sweeps_.wall_closing({&scale_, &list_, motion_.data(), touched_walls_.data(), range.first,
+                            range.last, wall_pressure_.data(), wall_weight_.data(),
+                            closing_.data()});
+    });
+  }
   const PassClock clock(pass_times_, "near motion", near_.size());
-  pack_near_motion();
-  parallel_blocks(touched_walls_.size(), sweep_block, threads(), [&](Range range) {
-    sweeps_.wall_closing({&scale_, &list_, motion_.data(), touched_walls_.data(), range.first,
-                          range.last, wall_pressure_.data(), wall_weight_.data(), closing_.data()});
-  });
   parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), closing_.data(),
                          wall_slope_.data(), awake_.data(), range.first, range.last, strain_.data(),

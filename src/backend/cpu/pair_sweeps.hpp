@@ -76,7 +76,8 @@ struct WallClosingTask {
   const MotionRecord* records;
   const std::uint32_t* rows;  ///< boundary particles, counted from the first fluid one
   std::size_t first, last;    ///< range of `rows`
-  const float* pressure;      ///< this and those below by place in `rows`; rows without are at rest
+  const float*
+      pressure;  ///< this and that below by place in `rows`; a wall without hands nothing back
   const float* weight;
   ClosingRecord* closing;  ///< out, by particle
 };
@@ -104,9 +105,9 @@ struct NearMotionTask {
   const PairScale* scale;
   const NearPairs* near;
   const MotionRecord* records;
-  const Vec3d* background;  ///< by particle: density gradient that diffusion leaves alone, 1/m
-  const ClosingRecord* closing;
-  const Vec3d* wall_slope;  ///< by particle: normal of the wall over the distance to it, 1/m
+  const Vec3d* background;       ///< by particle: density gradient that diffusion leaves alone, 1/m
+  const ClosingRecord* closing;  ///< by particle, of walls
+  const Vec3d* wall_slope;       ///< by particle: normal of the wall over the distance to it, 1/m
   const std::uint32_t* rows;
   std::size_t first, last;
   Sym3<double>* strain;    ///< out, of the whole kernel even where a part of it is empty

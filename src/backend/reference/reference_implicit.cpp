@@ -114,7 +114,8 @@ void ReferenceBackend::near_motion() {
     double rate = 0, diffusion_rate = 0, wall_rate = 0;
     double support = 0;
     diffusion.hydrostatic = background_[i];
-    const Vec3d normal = (1 / std::max(1e-30, norm(wall_slope_[i]))) * wall_slope_[i];
+    const Vec3d& slope = wall_slope_[i];
+    const Vec3d normal = norm(slope) > 0 ? normalised(slope) : slope;
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);
       const double volume = mass(j) / density(j);
@@ -128,7 +129,7 @@ void ReferenceBackend::near_motion() {
         const Closing& c = closing_on_wall[j - fluids];
         wall_rate += continuity(pair, v, mass(j)) +
                      handed_back(mass(j) * weight, along(v, normal), c.rate, c.gradient);
-        eps += strain_rate(pair, std::max(0.0, dot(wall_slope_[i], pair.x)) * v, volume);
+        eps += strain_rate(pair, std::max(0.0, dot(slope, pair.x)) * v, volume);
       }
     });
     strain_[i] = (1 / std::max(0.4, support)) * eps;

@@ -23,12 +23,6 @@ SABO_HD inline T closing(const PairGeometry<T>& pair, const Vec3<T>& v_wj) {
   return pair.gradient * dot(v_wj, pair.x);
 }
 
-/// The part of a velocity along a wall of the given normal.
-template <class T>
-SABO_HD inline Vec3<T> along(const Vec3<T>& v, const Vec3<T>& normal) {
-  return v - dot(v, normal) * normal;
-}
-
 /// Density rate that a wall neighbour hands back, kg/m3/s. Over the sum of the weights W at the
 /// wall particle, which must be under pressure, `closing` is the sum of closing() and `gradient`
 /// that of grad_w W_wj. Seen by the particle as it slides along the wall, so that a front that runs

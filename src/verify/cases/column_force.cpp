@@ -128,15 +128,11 @@ Verdict verify_column_force(const VerifySettings& settings) {
       fmt::format("Artificial viscosity {:g}. The wet bed, {:g} m deep, is one layer of particles, "
                   "flat ones at dp 0.02 m; at dp {:g} m the floor is dry",
                   water_artificial_viscosity, bed_depth, coarse),
-      "The force arrives at 0.30 to 0.31 s by both methods at dp 0.03 m and by fast at 0.02 and "
-      "0.01 "
-      "m. By Stoker (1957) a bore runs over 1 cm of water at 1.89 m/s and needs 0.26 s from the "
-      "gate "
-      "to the column. The measured 0.358 s hold the time in which the gate was drawn, which is not "
-      "known; other times count from the arrival",
-      "The first blow is a bore that starts at once; how much of what it is too strong by belongs "
-      "to "
-      "the drawn gate is not known"};
+      "Arrival: by Stoker (1957) a bore runs over 1 cm of water at 1.89 m/s and needs 0.26 s from "
+      "the gate to the column. The measured 0.358 s hold the time in which the gate was drawn, "
+      "which is not known; other times count from the arrival",
+      "The first blow is that of a bore that starts at once. How much a drawn gate would take off "
+      "it is not known"};
   return verdict;
 }
 

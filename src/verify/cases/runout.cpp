@@ -132,7 +132,7 @@ Runout run(const NumericsCase& numerics, const FlowModel& model, const Surface& 
 
 Verdict verify_runout(const VerifySettings& settings) {
   const int members = settings.is_quick() ? 1 : 5;
-  const double end = settings.is_quick() ? 12 : 20;  // s; from 12 s on it creeps
+  const double end = settings.is_quick() ? 12 : 20;  // s
   const Surface surface = slopes();
   Verdict verdict;
   LineChart chart{fmt::format("Run-out, {} starts with each method", members), "time [s]",

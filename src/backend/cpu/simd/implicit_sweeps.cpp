@@ -208,7 +208,8 @@ HWY_INLINE void add_near_motion(const Constants& s, const NearMotionTask& task, 
   if (row.boundary == row.end) return;
   const Vec3d& n = task.wall_slope[i];
   const Vec slope{Lanes(float(n.x)), Lanes(float(n.y)), Lanes(float(n.z))};
-  const Vec normal = Lanes(1 / std::max(1e-30f, float(norm(n)))) * slope;
+  const Vec3d unit = norm(n) > 0 ? normalised(n) : n;
+  const Vec normal{Lanes(float(unit.x)), Lanes(float(unit.y)), Lanes(float(unit.z))};
   for (const std::uint32_t* k = row.boundary; k != row.end; k += Lanes::count) {
     const Columns j = motion_records(task.records, k);
     const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
