@@ -71,6 +71,7 @@ std::string section(const CaseRecords& records) {
   const Verification& verification = verification_of(*records.front());
   std::string text = fmt::format("\n## {}\n\n{}. Expected: {}.\n\n{}", verification.name,
                                  verification.title, verification.reference, claims_table(records));
+  if (!verification.others.empty()) text += fmt::format("\nOthers: {}.\n", verification.others);
   for (const VerifyRecord* record : records)
     for (const std::string& picture : record->pictures)
       text += fmt::format("\n![{} by method {}](./{})\n", verification.title,

@@ -65,6 +65,7 @@ struct Verification {
   std::string_view reference;  ///< where the expected values come from
   std::vector<Method> methods;
   Verdict (*run)(const VerifySettings&);
+  std::string_view others = "";  ///< what other codes are known to reach, with the source
 };
 
 /// All cases, simple ones first.
