@@ -30,7 +30,9 @@ void print_heading(const Case& c, const std::filesystem::path& folder) {
 
 int report(const RunResult& result) {
   for (const std::string& line : result.summary) fmt::print("{}\n", line);
-  if (!result.index.empty()) fmt::print("Open {}\n", result.index.string());
+  if (!result.index.empty())
+    fmt::print("Open {}\nFor a report: sabo report {}\n", result.index.string(),
+               result.index.parent_path().string());
   std::fflush(stdout);
   switch (result.end) {
     case RunEnd::finished:

@@ -10,10 +10,12 @@
 #include "io/case_file/toml_string.hpp"
 #include "io/case_file/write_case.hpp"
 #include "io/output/checksum.hpp"
+#include "io/output/cpu_name.hpp"
 #include "io/output/file.hpp"
 #include "run/amount_text.hpp"
 #include "run/input_files.hpp"
 #include "run/rest_text.hpp"
+#include "run/scene_record.hpp"
 #include "run/tables.hpp"
 
 namespace sabo {
@@ -115,12 +117,14 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
   std::string text = fmt::format(
       "# Written by sabo. Units: m, s, m3.\n"
       "run_folder_version = {}\n\n[run]\nend = {}\nreason = {}\nversion = {}\ncompiler = {}\n"
-      "started = {}\nwall_s = {:.1f}\nsimulated_s = {:.6g}\nsteps = {}\nparticles = {}\n"
+      "machine = {}\nstarted = {}\nwall_s = {:.1f}\nsimulated_s = {:.6g}\nsteps = {}\nparticles = "
+      "{}\n"
       "boundary_particles = {}\ntop_speed = {:.3f}\nsound_speed = {:.3f}\n",
       run_folder_version, toml_string(std::string(word_of(facts.end))), toml_string(facts.reason),
-      toml_string(build_version), toml_string(build_compiler), toml_string(facts.started),
-      facts.solver.wall, facts.solver.simulated, facts.solver.steps, facts.particles,
-      facts.boundary_particles, facts.top_speed, facts.sound_speed);
+      toml_string(build_version), toml_string(build_compiler), toml_string(cpu_name()),
+      toml_string(facts.started), facts.solver.wall, facts.solver.simulated, facts.solver.steps,
+      facts.particles, facts.boundary_particles, facts.top_speed, facts.sound_speed);
+  text += scene_toml(c, scene);
   if (!rows.empty())
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
       text += "\n[[volumes]]\n" + volumes(scene, rows.back().volumes[k], k);
@@ -241,6 +245,8 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"maps/tarr.tif", "arrival time, s"},
       {"maps/res.tif", "greatest depth over the particle spacing, particles"},
       {"maps/ground.tif", "elevation of the ground as the run used it, m"},
+      {"maps/rel.tif", "depth of the release, m"},
+      {"maps/plan.geojson", "path, structures, sections and zones"},
       {"series/front.csv", "position, displacement and velocity of the front"},
       {"series/discharge.csv", "discharge through the sections"},
       {"series/volumes.csv", "released, trapped, beyond, outflow"},

@@ -20,6 +20,8 @@ class RunFolder {
   std::filesystem::path manifest() const { return root_ / "manifest.toml"; }
   std::filesystem::path index() const { return root_ / "index.html"; }
   std::filesystem::path states() const { return root_ / "states.html"; }
+  std::filesystem::path report() const { return root_ / "report.html"; }
+  std::filesystem::path japanese_report() const { return root_ / "report_ja.html"; }
 
   /// Writes a manifest that says no more than how the run stands: "running", "failed".
   void set_state(const std::string& end, const std::string& reason) const;

@@ -21,13 +21,30 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_manifest = 1'000'000;  // bytes
 
 /// Units of the manifest's keys.
-const std::map<std::string_view, std::string_view> units{
-    {"wall_s", "s"},           {"simulated_s", "s"},      {"top_speed", "m/s"},
-    {"sound_speed", "m/s"},    {"released", "m3"},        {"outflow", "m3"},
-    {"trapped", "m3"},         {"beyond", "m3"},          {"raster_volume", "m3"},
-    {"particle_volume", "m3"}, {"wet_area", "m2"},        {"mean_wet", "m"},
-    {"mean_all", "m"},         {"greatest", "m"},         {"volume", "m3"},
-    {"moving_volume", "m3"},   {"creep", "spacings/min"}, {"mean_dt", "s"}};
+const std::map<std::string_view, std::string_view> units{{"wall_s", "s"},
+                                                         {"simulated_s", "s"},
+                                                         {"top_speed", "m/s"},
+                                                         {"sound_speed", "m/s"},
+                                                         {"released", "m3"},
+                                                         {"outflow", "m3"},
+                                                         {"trapped", "m3"},
+                                                         {"beyond", "m3"},
+                                                         {"raster_volume", "m3"},
+                                                         {"particle_volume", "m3"},
+                                                         {"wet_area", "m2"},
+                                                         {"mean_wet", "m"},
+                                                         {"area", "m2"},
+                                                         {"mean_depth", "m"},
+                                                         {"greatest_depth", "m"},
+                                                         {"cut", "m3"},
+                                                         {"fill", "m3"},
+                                                         {"greatest_change", "m"},
+                                                         {"mean_all", "m"},
+                                                         {"greatest", "m"},
+                                                         {"volume", "m3"},
+                                                         {"moving_volume", "m3"},
+                                                         {"creep", "spacings/min"},
+                                                         {"mean_dt", "s"}};
 
 /// "boundary particles" of boundary_particles, "wall" of wall_s; file names stay as they are.
 std::string label_of(std::string key) {

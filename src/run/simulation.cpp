@@ -14,6 +14,7 @@
 #include "run/recorder.hpp"
 #include "run/rest_text.hpp"
 #include "run/run_folder.hpp"
+#include "run/scene_record.hpp"
 
 namespace sabo {
 namespace {
@@ -193,6 +194,7 @@ RunResult run_case(const Case& c, const RunOptions& options) {
   faults.throw_if_any();
   const RunFolder folder(options.folder, options.overwrite);
   try {
+    write_scene_record(c, scene, folder);
     return Simulation(c, scene, folder, options).run();
   } catch (const RunError& error) {
     folder.set_state("failed", error.what());

@@ -1,7 +1,10 @@
 #pragma once
 
+#include <array>
 #include <string>
+#include <string_view>
 
+#include "base/describe.hpp"
 #include "terrain/polyline.hpp"
 
 namespace sabo {
@@ -12,6 +15,13 @@ struct MapLine {
   Kind kind = Kind::path;
   std::string label = {};  ///< "" for none
   Polyline line = {};
+};
+
+/// As `maps/plan.geojson` has them.
+template <>
+struct Words<MapLine::Kind> {
+  static constexpr std::array<std::string_view, 5> list{"structure", "section", "path", "zone",
+                                                        "edit"};
 };
 
 /// How a line is drawn; `dashes` is an attribute of SVG or "".

@@ -14,13 +14,11 @@
 namespace sabo {
 namespace {
 
-constexpr double longest_side = 1100;  // px, of a wide map
-constexpr double tallest_side = 900;   // px
-constexpr double narrowest = 640;      // px, so that the legend has room
-constexpr double margin = 20;          // px
-constexpr double note_size = 13;       // px
-constexpr double note_line = 20;       // px
-constexpr double max_pixels = 1.5e6;   // of the embedded picture
+constexpr double narrowest = 640;     // px, so that the legend has room
+constexpr double margin = 20;         // px
+constexpr double note_size = 13;      // px
+constexpr double note_line = 20;      // px
+constexpr double max_pixels = 1.5e6;  // of the embedded picture
 
 // Where things stand on the picture.
 struct Layout {
@@ -56,7 +54,7 @@ Layout layout_of(const MapPicture& map) {
   layout.view = not_too_narrow(map.view);
   const double east_west = layout.view.east - layout.view.west;
   const double north_south = layout.view.north - layout.view.south;
-  layout.scale = std::min(longest_side / east_west, tallest_side / north_south);
+  layout.scale = std::min(map.widest / east_west, map.tallest / north_south);
   layout.width = std::round(east_west * layout.scale);
   layout.height = std::round(north_south * layout.scale);
   layout.page_width = std::max(layout.width, narrowest) + 2 * margin;
@@ -96,9 +94,10 @@ double contour_step(const Raster& elevation, const MapView& view) {
   return high > low ? round_down((high - low) / 8) : 1;
 }
 
-std::string draw_raster(const Relief& relief, const Layout& layout) {
+std::string draw_raster(const Relief& relief, const Layout& layout, double sharpness) {
   // Two pixels for one of the page where that is not too much: sharp on any screen.
-  const double ratio = std::clamp(std::sqrt(max_pixels / (layout.width * layout.height)), 1.0, 2.0);
+  const double affordable = std::max(1.0, std::sqrt(max_pixels / (layout.width * layout.height)));
+  const double ratio = std::min(affordable, sharpness);
   const Image image = draw_relief(relief, layout.view, static_cast<int>(layout.width * ratio),
                                   static_cast<int>(layout.height * ratio));
   return fmt::format(
@@ -129,7 +128,15 @@ Vec3d label_place(const MapLine& line, const Layout& layout) {
   return {layout.x(south->x), layout.y(south->y) + 18, 0};
 }
 
-std::string draw_label(const MapLine& line, const Layout& layout) {
+struct LabelBox {
+  double x = 0, y = 0;  // middle of the baseline
+  double half = 0;      // of the width
+};
+
+constexpr double label_height = 15;  // px
+
+// The label of a line, beside its place if another label stands there; left out where all is full.
+std::string draw_label(const MapLine& line, const Layout& layout, std::vector<LabelBox>& taken) {
   if (line.label.empty()) return "";
   constexpr double size = 13;
   const auto kept = [](double place, double low, double high) {
@@ -138,18 +145,39 @@ std::string draw_label(const MapLine& line, const Layout& layout) {
   const double half = text_width(line.label, size) / 2 + 4;
   const Vec3d place = label_place(line, layout);
   const double x = kept(place.x, layout.left + half, layout.left + layout.width - half);
-  const double y = kept(place.y, layout.top + 14, layout.top + layout.height - 6);
-  return svg_text(x, y, line.label,
-                  {.size = size,
-                   .colour = style_of(line.kind).colour,
-                   .anchor = Anchor::middle,
-                   .bold = true,
-                   .halo = true});
+  for (const double lines : {0, 1, -1, 2, -2, 3, -3}) {
+    const double y =
+        kept(place.y + lines * label_height, layout.top + 14, layout.top + layout.height - 6);
+    const bool is_free = std::ranges::none_of(taken, [&](const LabelBox& other) {
+      return std::abs(x - other.x) < half + other.half && std::abs(y - other.y) < label_height;
+    });
+    if (!is_free) continue;
+    taken.push_back({x, y, half});
+    return svg_text(x, y, line.label,
+                    {.size = size,
+                     .colour = style_of(line.kind).colour,
+                     .anchor = Anchor::middle,
+                     .bold = true,
+                     .halo = true});
+  }
+  return "";
+}
+
+// Structures and sections first: areas have room elsewhere.
+std::string draw_labels(const MapPicture& map, const Layout& layout) {
+  std::vector<LabelBox> taken;
+  std::string labels;
+  for (const bool is_area : {false, true})
+    for (const MapLine& line : map.lines) {
+      const bool is_of_area = line.kind == MapLine::Kind::zone || line.kind == MapLine::Kind::edit;
+      if (is_of_area == is_area && !line.line.vertices.empty())
+        labels += draw_label(line, layout, taken);
+    }
+  return labels;
 }
 
 std::string draw_lines(const MapPicture& map, const Layout& layout) {
   std::string shapes;
-  std::string labels;
   for (const MapLine& line : map.lines) {
     if (line.line.vertices.empty()) continue;
     std::string points;
@@ -165,16 +193,39 @@ std::string draw_lines(const MapPicture& map, const Layout& layout) {
     };
     shapes += polyline("#ffffff", style.width + 2, "");
     shapes += polyline(style.colour, style.width, style.dashes);
-    labels += draw_label(line, layout);
   }
   return fmt::format(
-      "<clipPath id=\"map\"><rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\"/></clipPath>\n"
-      "<g clip-path=\"url(#map)\">\n{}{}</g>\n",
-      layout.left, layout.top, layout.width, layout.height, shapes, labels);
+      "<clipPath id=\"{0}map\"><rect x=\"{1}\" y=\"{2}\" width=\"{3}\" "
+      "height=\"{4}\"/></clipPath>\n"
+      "<g clip-path=\"url(#{0}map)\">\n{5}{6}</g>\n",
+      map.id, layout.left, layout.top, layout.width, layout.height, shapes,
+      draw_labels(map, layout));
+}
+
+// Eastings along the upper edge and northings along the left one, inside the frame.
+std::string draw_coordinates(const Layout& layout) {
+  constexpr TextStyle style{.size = 10, .colour = svg_ink, .halo = true};
+  constexpr double tick = 6;  // px
+  std::string svg;
+  for (const double east : ticks_over(layout.view.west, layout.view.east, 4).values) {
+    const double x = layout.x(east);
+    if (x < layout.left + 60 || x > layout.left + layout.width - 40) continue;
+    svg += svg_line(x, layout.top, x, layout.top + tick, svg_ink, 1);
+    TextStyle middle = style;
+    middle.anchor = Anchor::middle;
+    svg += svg_text(x, layout.top + tick + 11, fmt::format("{:.0f} E", east), middle);
+  }
+  for (const double north : ticks_over(layout.view.south, layout.view.north, 4).values) {
+    const double y = layout.y(north);
+    if (y < layout.top + 28 || y > layout.top + layout.height - 12) continue;
+    svg += svg_line(layout.left, y, layout.left + tick, y, svg_ink, 1);
+    svg += svg_text(layout.left + tick + 4, y + 4, fmt::format("{:.0f} N", north), style);
+  }
+  return svg;
 }
 
 // Scale bar and north arrow, below the map on the right.
-std::string draw_scale(const Layout& layout, double contour) {
+std::string draw_scale(const MapPicture& map, const Layout& layout, double contour) {
   const double length = round_down(180 / layout.scale);
   const double right = layout.page_width - margin - 44;
   const double left = right - length * layout.scale;
@@ -185,7 +236,7 @@ std::string draw_scale(const Layout& layout, double contour) {
       left, right, y - 6, svg_ink);
   svg += svg_text((left + right) / 2, y - 8, fmt::format("{:g} m", length),
                   {.colour = svg_ink, .anchor = Anchor::middle});
-  svg += svg_text(right, y + 20, fmt::format("contours every {:g} m", contour),
+  svg += svg_text(right, y + 20, fmt::format("{} {:g} m", map.contours, contour),
                   {.anchor = Anchor::end});
   const double x = layout.page_width - margin - 10;
   svg += fmt::format("<path d=\"M{:.1f} {:.1f}l7 20l-7 -5l-7 5z\" fill=\"{}\"/>\n", x, y - 20,
@@ -229,15 +280,17 @@ std::string map_svg(const MapPicture& map, const Raster& elevation, const Raster
   for (std::size_t k = 0; k < layout.note.size(); ++k)
     svg += svg_text(margin, 52 + note_line * static_cast<double>(k), layout.note[k],
                     {.size = note_size});
-  svg += draw_raster({elevation, values, map.threshold, top, contour, map.steps}, layout);
+  svg += draw_raster({elevation, values, map.threshold, top, contour, map.steps}, layout,
+                     map.sharpness);
+  if (map.has_coordinates) svg += draw_coordinates(layout);
   svg += draw_lines(map, layout);
   const double bar = layout.top + layout.height + 34;
   if (!map.steps.empty()) {
     svg += svg_step_bar(margin, bar, map.quantity, map.steps);
   } else if (top > 0) {
-    svg += svg_colour_bar(margin, bar, map.quantity, top);
+    svg += svg_colour_bar(margin, bar, map.quantity, top, map.id);
   }
-  svg += draw_scale(layout, contour);
+  svg += draw_scale(map, layout, contour);
   return svg + "</svg>\n";
 }
 

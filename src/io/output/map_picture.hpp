@@ -20,7 +20,12 @@ struct MapPicture {
   std::optional<double> top = {};  ///< value of the darkest colour, else from the data
   MapView view = {};
   std::vector<MapLine> lines = {};
-  std::vector<ColourStep> steps = {};  ///< classes in place of the continuous colours
+  std::vector<ColourStep> steps = {};       ///< classes in place of the continuous colours
+  std::string contours = "contours every";  ///< before their step in m
+  bool has_coordinates = false;             ///< along the frame
+  double widest = 1100, tallest = 900;      ///< of the map, px
+  double sharpness = 2;                     ///< most pixels for one px of the page
+  std::string id = {};                      ///< told apart from other maps in one page by it
 };
 
 /// The cells with a value above the threshold plus a margin of 8 % of the longer side (at least 10

@@ -43,12 +43,16 @@ std::string png_of(const Image& image) {
   return png;
 }
 
-std::string data_url_of_png(const std::string& png) {
+std::string base64_of(const std::string& bytes) {
   char* text =
-      CPLBase64Encode(static_cast<int>(png.size()), reinterpret_cast<const GByte*>(png.data()));
-  std::string url = std::string("data:image/png;base64,") + text;
+      CPLBase64Encode(static_cast<int>(bytes.size()), reinterpret_cast<const GByte*>(bytes.data()));
+  std::string encoded = text;
   CPLFree(text);
-  return url;
+  return encoded;
+}
+
+std::string data_url_of_png(const std::string& png) {
+  return "data:image/png;base64," + base64_of(png);
 }
 
 }  // namespace sabo

@@ -1,6 +1,5 @@
 #include "io/output/svg.hpp"
 
-#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -55,9 +54,14 @@ std::vector<std::string> wrapped(std::string_view text, double size, double widt
 }
 
 double text_width(std::string_view text, double size) {
-  const auto characters = std::ranges::count_if(
-      text, [](char c) { return (static_cast<unsigned char>(c) & 0xC0) != 0x80; });
-  return 0.56 * size * static_cast<double>(characters);
+  double width = 0;
+  for (const char c : text) {
+    const auto byte = static_cast<unsigned char>(c);
+    const bool starts_character = (byte & 0xC0) != 0x80;
+    const bool is_wide = byte >= 0xE3;  // from U+3000 on: kana, kanji, hangul
+    if (starts_character) width += is_wide ? 1 : 0.56;
+  }
+  return width * size;
 }
 
 }  // namespace sabo

@@ -24,14 +24,10 @@ constexpr double label_size = 12;
 constexpr double name_size = 13;
 constexpr double legend_line = 20;  // height of a line of the legend
 
-struct SeriesStyle {
-  const char* colour;
-  bool is_dashed;
-  const char* dashes() const { return is_dashed ? " stroke-dasharray=\"8 5\"" : ""; }
-};
+constexpr std::array dashes{"", "8 5", "2 4", "12 4 2 4", "16 4", "5 3"};
 
-SeriesStyle style_of(std::size_t series) {
-  return {palette[series % palette.size()], series / palette.size() % 2 == 1};
+std::string dash_attribute(const ChartStyle& style) {
+  return *style.dashes == 0 ? "" : fmt::format(" stroke-dasharray=\"{}\"", style.dashes);
 }
 
 struct Range {
@@ -72,8 +68,10 @@ Axes axes_of(const LineChart& chart, double legend_height) {
     for (double value : series.y) y.hold(value);
   }
   for (const ChartReference& line : chart.references) y.hold(line.y);
+  for (const ChartMark& mark : chart.marks)
+    if (mark.high) y.hold(*mark.high);
   if (y.is_empty() && !y.is_log) y.hold(1);
-  y.hold(0);  // no effect on a logarithmic axis
+  if (chart.has_zero) y.hold(0);  // no effect on a logarithmic axis
   Axes axes{axis_over(x, chart.x_low, chart.x_high, 8), axis_over(y, chart.y_low, chart.y_high, 5)};
   double widest = 0;
   for (const AxisTick& tick : axes.y_axis.ticks) {
@@ -116,7 +114,7 @@ std::string draw_axes(const LineChart& chart, const Axes& axes) {
   return svg;
 }
 
-std::string draw_series(const ChartSeries& series, const SeriesStyle& style, const Axes& axes) {
+std::string draw_series(const ChartSeries& series, const ChartStyle& style, const Axes& axes) {
   std::string path;
   std::string dots;
   std::string last;
@@ -141,7 +139,7 @@ std::string draw_series(const ChartSeries& series, const SeriesStyle& style, con
     svg += fmt::format(
         "<path d=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"2\"{} stroke-linejoin=\"round\" "
         "stroke-linecap=\"round\"/>\n",
-        path, style.colour, style.dashes());
+        path, style.colour, dash_attribute(style));
   }
   if (series.has_markers && !dots.empty()) {
     svg += fmt::format("<g fill=\"{}\" stroke=\"#ffffff\">{}</g>\n", style.colour, dots);
@@ -160,6 +158,31 @@ std::string draw_references(const LineChart& chart, const Axes& axes) {
         axes.left, y, axes.right, y, svg_muted);
     svg += svg_text(axes.right - 4, y - 6, line.label,
                     {.size = label_size, .anchor = Anchor::end, .halo = true});
+  }
+  return svg;
+}
+
+// Labels in three lines in turn, so that neighbours do not cover each other.
+std::string draw_marks(const LineChart& chart, const Axes& axes) {
+  std::string svg;
+  for (std::size_t k = 0; k < chart.marks.size(); ++k) {
+    const ChartMark& mark = chart.marks[k];
+    if (!axes.x_axis.can_show(mark.x)) continue;
+    const double x = axes.x(mark.x);
+    if (x < axes.left - 0.5 || x > axes.right + 0.5) continue;
+    svg += fmt::format(
+        "<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\" stroke=\"{3}\" "
+        "stroke-dasharray=\"2 3\"/>\n",
+        x, axes.top, axes.bottom, svg_muted);
+    if (mark.low && mark.high)
+      svg += svg_line(x, axes.y(*mark.low), x, axes.y(*mark.high), "#c1121f", 5);
+    const bool is_right = x > axes.left + 0.7 * (axes.right - axes.left);
+    svg += svg_text(x + (is_right ? -4 : 4), axes.top + 12 + 14 * static_cast<double>(k % 3),
+                    mark.label,
+                    {.size = label_size,
+                     .colour = svg_ink,
+                     .anchor = is_right ? Anchor::end : Anchor::start,
+                     .halo = true});
   }
   return svg;
 }
@@ -202,7 +225,7 @@ std::string draw_legend(const LineChart& chart, const std::vector<LegendPlace>& 
   std::string svg;
   for (std::size_t k = 0; k < places.size(); ++k) {
     const ChartSeries& series = chart.series[k];
-    const SeriesStyle style = style_of(k);
+    const ChartStyle style = chart_style(chart, k);
     const double x = places[k].x;
     const double baseline = 58 + legend_line * std::max(places[k].line - 1, 0);
     const double y = baseline - 4.5;
@@ -210,7 +233,7 @@ std::string draw_legend(const LineChart& chart, const std::vector<LegendPlace>& 
       svg += fmt::format(
           "<line x1=\"{:.1f}\" y1=\"{:.1f}\" x2=\"{:.1f}\" y2=\"{:.1f}\" stroke=\"{}\" "
           "stroke-width=\"3\"{}/>\n",
-          x, y, x + legend_key, y, style.colour, style.dashes());
+          x, y, x + legend_key, y, style.colour, dash_attribute(style));
     }
     if (series.has_markers) {
       svg +=
@@ -225,19 +248,26 @@ std::string draw_legend(const LineChart& chart, const std::vector<LegendPlace>& 
 
 }  // namespace
 
+ChartStyle chart_style(const LineChart& chart, std::size_t series) {
+  const std::size_t round = series / palette.size();
+  return {palette[series % palette.size()],
+          dashes[chart.has_dashes ? (series + round) % dashes.size() : round % 2]};
+}
+
 std::string chart_svg(const LineChart& chart) {
   const std::vector<LegendPlace> legend = legend_of(chart);
   const Axes axes = axes_of(chart, legend.empty() ? 0 : legend_line * legend.back().line);
   std::string svg = svg_begin(chart.width, axes.page_height, chart.title);
   svg += draw_axes(chart, axes);
   svg += fmt::format(
-      "<clipPath id=\"plot\"><rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\"/>"
-      "</clipPath>\n<g clip-path=\"url(#plot)\">\n",
-      axes.left, axes.top - 4, axes.right - axes.left + 4, axes.bottom - axes.top + 8);
+      "<clipPath id=\"{0}plot\"><rect x=\"{1:.1f}\" y=\"{2:.1f}\" width=\"{3:.1f}\" "
+      "height=\"{4:.1f}\"/></clipPath>\n<g clip-path=\"url(#{0}plot)\">\n",
+      chart.id, axes.left, axes.top - 4, axes.right - axes.left + 4, axes.bottom - axes.top + 8);
   for (std::size_t k = 0; k < chart.series.size(); ++k) {
-    svg += draw_series(chart.series[k], style_of(k), axes);
+    svg += draw_series(chart.series[k], chart_style(chart, k), axes);
   }
-  svg += "</g>\n" + draw_references(chart, axes) + draw_legend(chart, legend);
+  svg += "</g>\n" + draw_references(chart, axes) + draw_marks(chart, axes) +
+         draw_legend(chart, legend);
   return svg + "</svg>\n";
 }
 

@@ -8,7 +8,8 @@
 
 namespace sabo {
 
-std::string svg_colour_bar(double x, double y, std::string_view quantity, double top) {
+std::string svg_colour_bar(double x, double y, std::string_view quantity, double top,
+                           std::string_view id) {
   constexpr double width = 300, height = 12;
   std::string stops;
   for (int i = 0; i <= 8; ++i) {
@@ -16,9 +17,9 @@ std::string svg_colour_bar(double x, double y, std::string_view quantity, double
         fmt::format("<stop offset=\"{}\" stop-color=\"{}\"/>", i / 8.0, hex(flow_colour(i / 8.0)));
   }
   std::string svg = fmt::format(
-      "<linearGradient id=\"scale\">{}</linearGradient>\n<rect x=\"{}\" y=\"{}\" width=\"{}\" "
-      "height=\"{}\" fill=\"url(#scale)\"/>\n",
-      stops, x, y, width, height);
+      "<linearGradient id=\"{0}scale\">{1}</linearGradient>\n<rect x=\"{2}\" y=\"{3}\" "
+      "width=\"{4}\" height=\"{5}\" fill=\"url(#{0}scale)\"/>\n",
+      id, stops, x, y, width, height);
   svg += svg_text(x, y - 8, quantity, {.size = 13, .colour = svg_ink});
   const Ticks ticks = ticks_over(0, top, 5);
   for (double value : ticks.values) {

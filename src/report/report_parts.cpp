@@ -1,0 +1,81 @@
+#include "report/report_parts.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "run/amount_text.hpp"
+#include "run/load_case.hpp"
+
+namespace sabo {
+namespace {
+
+std::string with_true_minus(std::string text) {
+  if (text.starts_with('-')) text.replace(0, 1, "\u2212");
+  return text;
+}
+
+}  // namespace
+
+std::string data_line(const Report& report, std::initializer_list<std::string_view> files) {
+  std::string list;
+  for (const std::string_view file : files)
+    list += fmt::format("{}{}", list.empty() ? "" : ", ", file);
+  return report.say("page.data", list);
+}
+
+void tell_missing(Report& report, const std::string& file) {
+  report.page.text(report.say("page.missing_file", file));
+}
+
+std::string amount(double value) { return with_true_minus(amount_text(value)); }
+
+std::string fixed(double value, int decimals) {
+  std::string text = fmt::format("{:.{}f}", value, decimals);
+  if (text.find_first_of("123456789") == text.npos && text.starts_with('-')) text.erase(0, 1);
+  return with_true_minus(text);
+}
+
+std::string percent(double share, int decimals) { return fixed(100 * share, decimals) + " %"; }
+
+std::string amount_or_dash(const std::optional<double>& value) {
+  return value ? amount(*value) : "–";
+}
+
+std::optional<Peak> peak_of(const SeriesTable& table, const std::string& column) {
+  const std::vector<double>* time = table.find("time [s]");
+  const std::vector<double>* values = table.find(column);
+  std::optional<Peak> peak;
+  for (std::size_t k = 0; time && values && k < values->size(); ++k) {
+    const double value = (*values)[k];
+    const bool is_greater = !peak || std::abs(value) > std::abs(peak->value);
+    if (std::isfinite(value) && is_greater) peak = Peak{value, (*time)[k]};
+  }
+  return peak;
+}
+
+std::vector<std::string> names_before(const SeriesTable& table, std::string_view suffix) {
+  std::vector<std::string> names;
+  for (const std::string& name : table.names)
+    if (name.ends_with(suffix)) names.push_back(name.substr(0, name.size() - suffix.size()));
+  return names;
+}
+
+ChartSeries over_time(const SeriesTable& table, const std::string& column, const std::string& name,
+                      double scale) {
+  ChartSeries series{name};
+  const std::vector<double>* time = table.find("time [s]");
+  const std::vector<double>* values = table.find(column);
+  if (!time || !values) return series;
+  series.x = *time;
+  series.y = *values;
+  for (double& value : series.y) value *= scale;
+  return series;
+}
+
+std::string title_of(const RunRecord& run) {
+  const std::string title = run.written("", "title");
+  return title.empty() ? name_of_case(run.folder()) : title;
+}
+
+}  // namespace sabo

@@ -1,0 +1,85 @@
+#include "run/scene_record.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "analysis/columns.hpp"
+#include "io/case_file/toml_string.hpp"
+#include "io/case_file/write_case.hpp"
+#include "io/gis/write_raster.hpp"
+#include "io/output/file.hpp"
+#include "io/output/plan_file.hpp"
+#include "run/overlay.hpp"
+
+namespace sabo {
+namespace {
+
+/// Vertical depth of the release over the cells of the DEM, m, in the solver frame.
+Raster release_depth(const Case& c, const Scene& scene) {
+  Columns columns(scene.surface->elevation(), c.numerics.spacing, c.material.density);
+  columns.update(scene.release);
+  return columns.depth();
+}
+
+/// In the coordinates of the DEM, a dam with the elevation of its crest.
+std::vector<MapLine> plan_lines(const Scene& scene) {
+  std::vector<MapLine> lines = overlay(scene);
+  for (MapLine& line : lines)
+    for (Vec3d& vertex : line.line.vertices)
+      vertex += Vec3d{scene.frame.origin_x, scene.frame.origin_y, 0};
+  for (const CheckDam& dam : scene.dams) {
+    const auto line = std::ranges::find_if(lines, [&](const MapLine& candidate) {
+      return candidate.kind == MapLine::Kind::dam && candidate.label == dam.name;
+    });
+    if (line == lines.end() || dam.axis.has_z) continue;
+    line->line.has_z = true;
+    for (Vec3d& vertex : line->line.vertices) vertex.z = dam.crest;
+  }
+  return lines;
+}
+
+std::string edit_text(const TerrainEditCase& c, const EditReport& report) {
+  return fmt::format(
+      "\n[[edit]]\nedit = {}\nkind = {}\ncells = {}\ncut = {:.3f}\nfill = {:.3f}\n"
+      "greatest_change = {:.3f}\n",
+      toml_string(report.name), toml_string(std::string(word_of(c.kind))), report.cells, report.cut,
+      report.fill, report.greatest);
+}
+
+}  // namespace
+
+void write_scene_record(const Case& c, const Scene& scene, const RunFolder& folder) {
+  write_file_atomically(folder.root() / "case.toml", write_case(c));
+  write_plan(folder.maps() / "plan.geojson", plan_lines(scene), scene.frame.crs);
+  Raster depth = release_depth(c, scene);
+  depth.grid.west += scene.frame.origin_x;
+  depth.grid.north += scene.frame.origin_y;
+  RasterInfo info{scene.frame.crs, "vertical depth of the release", "m"};
+  if (!c.note.empty()) info.metadata["note"] = c.note;
+  write_raster(folder.maps() / "rel.tif", depth, info);
+}
+
+std::string scene_toml(const Case& c, const Scene& scene) {
+  const Raster depth = release_depth(c, scene);
+  const double threshold = wet_depth(c.numerics.spacing);
+  const auto wet = std::ranges::count_if(depth.values, [&](double d) { return d > threshold; });
+  const double area = static_cast<double>(wet) * depth.grid.cell_area();
+  std::string notes;
+  for (const std::string& note : scene.dem_notes)
+    notes += (notes.empty() ? "" : ", ") + toml_string(note);
+  std::string text = fmt::format(
+      "\n[terrain]\nholes_filled = {}\ncells_filled = {}\nholes_left = {}\nnotes = [{}]\n",
+      scene.holes.holes_filled, scene.holes.cells_filled, scene.holes.holes_left, notes);
+  for (std::size_t k = 0; k < scene.edits.size() && k < c.terrain.edits.size(); ++k)
+    text += edit_text(c.terrain.edits[k], scene.edits[k].report);
+  return text + fmt::format(
+                    "\n[release]\nvolume = {:.9g}\narea = {:.1f}\nmean_depth = {:.4f}\n"
+                    "greatest_depth = {:.4f}\n",
+                    scene.release_volume, area, area > 0 ? scene.release_volume / area : 0,
+                    scene.release_depth);
+}
+
+}  // namespace sabo

@@ -1,0 +1,82 @@
+#include "report/phrases.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <set>
+#include <sstream>
+
+#include "support/folders.hpp"
+#include <gtest/gtest.h>
+
+#include "base/error.hpp"
+#include "physics/rheology_list.hpp"
+
+namespace sabo {
+namespace {
+
+std::set<std::string> places_of(const std::string& text) {
+  static const std::regex place("\\{[^}]*\\}");
+  std::set<std::string> places;
+  for (std::sregex_iterator found(text.begin(), text.end(), place), end; found != end; ++found)
+    places.insert(found->str());
+  return places;
+}
+
+/// Everything in quotes in the sources of the report.
+std::set<std::string> literals_of_sources() {
+  static const std::regex literal("\"([a-z_.]+)\"");
+  std::set<std::string> literals;
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(repository() / "src" / "report")) {
+    if (entry.path().extension() != ".cpp") continue;
+    std::ostringstream stream;
+    stream << std::ifstream(entry.path()).rdbuf();
+    const std::string text = stream.str();
+    for (std::sregex_iterator found(text.begin(), text.end(), literal), end; found != end; ++found)
+      literals.insert((*found)[1].str());
+  }
+  return literals;
+}
+
+/// Tables that are read as lists, or whose keys are names of a run.
+bool is_listed(const std::string& key) {
+  for (const char* table : {"not_modelled.", "validity.", "key.", "map.", "quantity."})
+    if (key.starts_with(table)) return true;
+  return false;
+}
+
+TEST(Phrases, BothLanguagesHaveTheSameKeysInTheSameOrder) {
+  EXPECT_EQ(Phrases(Language::en).keys(), Phrases(Language::ja).keys());
+  EXPECT_GT(Phrases(Language::en).keys().size(), 200u);
+}
+
+TEST(Phrases, BothLanguagesHaveTheSamePlaces) {
+  const Phrases english(Language::en), japanese(Language::ja);
+  for (const std::string& key : english.keys()) {
+    EXPECT_EQ(places_of(english.text(key)), places_of(japanese.text(key))) << key;
+    EXPECT_NE(japanese.text(key), "") << key;
+  }
+}
+
+TEST(Phrases, EveryTextIsUsed) {
+  const std::set<std::string> literals = literals_of_sources();
+  for (const std::string& key : Phrases(Language::en).keys())
+    EXPECT_TRUE(is_listed(key) || literals.contains(key)) << key;
+}
+
+TEST(Phrases, PutsArgumentsInTheirPlaces) {
+  EXPECT_EQ(Phrases(Language::en)("summary.arrival", "the {dam}", "3.5"),
+            "It arrived at “the {dam}” after 3.5 s. ");
+  EXPECT_THROW(Phrases(Language::en)("summary.nothing"), RunError);
+  EXPECT_THROW(Phrases(Language::en)("summary"), RunError);
+}
+
+TEST(Phrases, EveryLawHasItsSource) {
+  for (const Rheology& law : all_rheologies())
+    EXPECT_NE(source_of_law(name_of(law)), "") << name_of(law);
+  EXPECT_EQ(source_of_law("no such law"), "");
+}
+
+}  // namespace
+}  // namespace sabo
