@@ -29,7 +29,8 @@ demo: build
 	test -d $(DEMO_CASE) || build/release/src/sabo new yohutagawa $(DEMO_CASE)
 	build/release/src/sabo run $(DEMO_CASE) -o $(DEMO_RUN) --overwrite --spacing 1.5 --duration 120
 	build/release/src/sabo plot $(DEMO_RUN) --times 10,30,60,120
-	@echo 'Open $(DEMO_RUN)/index.html in a browser.'
+	build/release/src/sabo report $(DEMO_RUN)
+	@echo 'Open $(DEMO_RUN)/index.html and report.html beside it in a browser.'
 
 test: build
 	python3 tools/check_layers.py

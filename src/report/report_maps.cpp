@@ -1,6 +1,8 @@
 #include "report/report_maps.hpp"
 
 #include <algorithm>
+#include <cstddef>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -39,6 +41,25 @@ MapLine frame_of(const MapView& view) {
            false}};
 }
 
+struct ScaleTop {
+  double top = 0;
+  double greatest = 0;
+};
+
+/// Where the colours should end when a few cells would take nearly all of them: at the value that
+/// one cell in a hundred exceeds. Nothing when the greatest value is not far above it.
+std::optional<ScaleTop> top_without_outliers(const Raster& raster, const MapStyle& style) {
+  std::vector<double> values;
+  for (const double value : raster.values)
+    if (value > style.threshold) values.push_back(value);  // false for NaN
+  if (values.size() < 100) return std::nullopt;
+  const auto top = values.end() - static_cast<std::ptrdiff_t>(values.size() / 100) - 1;
+  std::ranges::nth_element(values, top);
+  const double greatest = *std::ranges::max_element(values);
+  constexpr double far_above = 1.5;
+  return greatest > far_above * *top ? std::optional(ScaleTop{*top, greatest}) : std::nullopt;
+}
+
 bool same_grid(const Raster& a, const Raster& b) { return a.grid == b.grid; }
 
 }  // namespace
@@ -58,11 +79,14 @@ void add_map(Report& report, const std::string& name, const MapStyle& style) {
     tell_missing(report, values ? "maps/ground.tif" : file);
     return;
   }
-  Raster scaled = values->raster;
-  for (double& value : scaled.values) value *= style.scale;
   MapPicture map = picture_of(report, style);
   map.view = view_of_flow(report.run);
-  report.page.picture(map_svg(map, ground->raster, scaled), data_line(report, {file}));
+  std::string source = data_line(report, {file});
+  if (const auto top = top_without_outliers(values->raster, style); top && style.steps.empty()) {
+    map.top = top->top;
+    source = report.say("map.outliers", amount(top->top), amount(top->greatest)) + " " + source;
+  }
+  report.page.picture(map_svg(map, ground->raster, values->raster), source);
 }
 
 void add_location_map(Report& report) {

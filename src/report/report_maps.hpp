@@ -13,7 +13,6 @@ struct MapStyle {
   std::string title;
   std::string quantity;  ///< with its unit
   double threshold = 0;  ///< smaller values are left out
-  double scale = 1;      ///< from the file's unit to that of the quantity
   std::vector<ColourStep> steps = {};
 };
 

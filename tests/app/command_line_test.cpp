@@ -26,7 +26,7 @@ TEST(CommandLine, WithoutACommandIsAUsageErrorThatHelps) {
 
 TEST(CommandLine, HelpIsNoError) {
   for (const char* command :
-       {"", "new", "check", "run", "study", "plot", "info", "models", "bench"}) {
+       {"", "new", "check", "run", "study", "plot", "report", "info", "models", "bench"}) {
     const Outcome outcome = run_shell(std::string("sabo ") + command + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_THAT(outcome.text, HasSubstr("Usage: sabo")) << command;
@@ -53,9 +53,19 @@ TEST(CommandLine, SuggestsTheNearestCommandOptionAndTemplate) {
   EXPECT_EQ(name.text, "error: there is no template \"yohutagwa\"; did you mean \"yohutagawa\"?\n");
 }
 
+TEST(CommandLine, AReportNeedsARunAndAKnownLanguage) {
+  const Outcome folder = run_shell("sabo report /nowhere");
+  EXPECT_EQ(folder.code, 2);
+  EXPECT_THAT(folder.text, HasSubstr("/nowhere: is not the folder of a run"));
+
+  const Outcome language = run_shell("sabo report /nowhere --language de");
+  EXPECT_EQ(language.code, 2);
+  EXPECT_THAT(language.text, HasSubstr("de"));
+}
+
 TEST(CommandLine, MissingArgumentsAreUsageErrors) {
   for (const char* command :
-       {"sabo new", "sabo check", "sabo run", "sabo info", "sabo run x -o", "sabo study x"})
+       {"sabo new", "sabo check", "sabo run", "sabo info", "sabo report", "sabo run x -o", "sabo study x"})
     EXPECT_EQ(run_shell(command).code, 2) << command;
 }
 

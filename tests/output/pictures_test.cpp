@@ -1,4 +1,5 @@
 #include <cmath>
+#include <set>
 
 #include "support/temporary_folder.hpp"
 #include <gdal_priv.h>
@@ -10,6 +11,7 @@
 #include "io/output/map_picture.hpp"
 #include "io/output/png.hpp"
 #include "io/output/relief.hpp"
+#include "io/output/svg.hpp"
 #include "io/output/svg_chart.hpp"
 #include "terrain/bilinear.hpp"
 
@@ -40,6 +42,35 @@ TEST(Chart, LeavesAGapForAMissingValue) {
   const std::string svg = chart_svg(chart);
   EXPECT_THAT(svg, HasSubstr("d=\"M44.0 348.0L207.0 78.0M533.0 78.0L696.0 348.0\""));
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+TEST(Chart, MarksPlacesOnTheAxis) {
+  LineChart chart = small_chart();
+  // 25 of 100 s: a quarter of 44 to 696 px. The wall reaches from 0 to 20 of 40 m3/s.
+  chart.marks = {{25, "<dam>", 0, 20}, {500, "outside"}};
+  const std::string svg = chart_svg(chart);
+  EXPECT_THAT(svg, HasSubstr("x1=\"207.0\" y1=\"78.0\" x2=\"207.0\" y2=\"348.0\""));
+  EXPECT_THAT(svg, HasSubstr("x1=\"207.0\" y1=\"348.0\" x2=\"207.0\" y2=\"213.0\""));
+  EXPECT_THAT(svg, HasSubstr("&lt;dam&gt;"));
+  EXPECT_THAT(svg, Not(HasSubstr("outside")));
+}
+
+TEST(Chart, LinesMayDifferWithoutColours) {
+  LineChart chart = small_chart();
+  chart.series.push_back(chart.series[0]);
+  EXPECT_THAT(chart_svg(chart), Not(HasSubstr("stroke-dasharray")));
+  chart.has_dashes = true;
+  EXPECT_THAT(chart_svg(chart), HasSubstr("stroke-dasharray=\"8 5\""));
+  std::set<std::pair<std::string, std::string>> styles;
+  for (std::size_t k = 0; k < 36; ++k)
+    styles.insert({chart_style(chart, k).colour, chart_style(chart, k).dashes});
+  EXPECT_EQ(styles.size(), 36u);
+}
+
+TEST(Chart, WideCharactersTakeMoreRoom) {
+  EXPECT_DOUBLE_EQ(text_width("ab", 10), 11.2);
+  EXPECT_DOUBLE_EQ(text_width("堰堤", 10), 20);
+  EXPECT_DOUBLE_EQ(text_width("−é", 10), 11.2);
 }
 
 TEST(Chart, NeedsNoData) {
@@ -156,6 +187,39 @@ TEST(Map, AValleyIsAWidePicture) {
   EXPECT_THAT(svg, HasSubstr("&lt;dam&gt;"));
   EXPECT_THAT(svg, HasSubstr("data:image/png;base64,iVBOR"));
   EXPECT_THAT(svg, Not(HasSubstr("nan")));
+}
+
+/// Baseline of a label.
+double y_of(const std::string& svg, const std::string& label) {
+  const std::size_t end = svg.find(">" + label + "</text>");
+  if (end == svg.npos) return -1;
+  const std::size_t begin = svg.rfind(" y=\"", end);
+  return std::stod(svg.substr(begin + 4, 10));
+}
+
+TEST(Map, LabelsOfOnePlaceStandBelowEachOther) {
+  const Raster ground(Grid{.columns = 30, .rows = 10, .north = 10}, 5);
+  MapPicture map{.title = "t", .quantity = "depth [m]", .view = {0, 0, 30, 10}};
+  const std::vector<Vec3d> ring{{5, 2, 0}, {9, 2, 0}, {9, 8, 0}, {5, 8, 0}, {5, 2, 0}};
+  map.lines = {{MapLine::Kind::zone, "first", {ring, false}},
+               {MapLine::Kind::zone, "second", {ring, false}},
+               {MapLine::Kind::zone, "outside", {{{40, 2, 0}, {50, 2, 0}, {50, 8, 0}}, false}}};
+  const std::string svg = map_svg(map, ground, Raster(ground.grid, 0));
+  EXPECT_NEAR(y_of(svg, "second"), y_of(svg, "first") + 15, 0.01);
+  EXPECT_EQ(y_of(svg, "outside"), -1);
+}
+
+TEST(Map, HasCoordinatesAndTextsOfItsOwn) {
+  const Raster ground(Grid{.columns = 30, .rows = 10, .west = 500000, .north = 4000010}, 5);
+  MapPicture map{.title = "t", .quantity = "depth [m]"};
+  map.view = {500000, 4000000, 500030, 4000010};
+  map.contours = "Höhenlinien alle";
+  map.id = "m7-";
+  map.has_coordinates = true;
+  const std::string svg = map_svg(map, ground, Raster(ground.grid, 1));
+  for (const char* part : {">500010 E</text>", ">4000004 N</text>", "Höhenlinien alle 1 m",
+                           "id=\"m7-map\"", "url(#m7-map)", "id=\"m7-scale\"", "url(#m7-scale)"})
+    EXPECT_THAT(svg, HasSubstr(part));
 }
 
 TEST(Map, AStripIsStillAPicture) {

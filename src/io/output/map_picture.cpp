@@ -128,6 +128,13 @@ Vec3d label_place(const MapLine& line, const Layout& layout) {
   return {layout.x(south->x), layout.y(south->y) + 18, 0};
 }
 
+bool is_in_view(const MapLine& line, const MapView& view) {
+  const auto& vertices = line.line.vertices;
+  const auto [west, east] = std::ranges::minmax(vertices, {}, &Vec3d::x);
+  const auto [south, north] = std::ranges::minmax(vertices, {}, &Vec3d::y);
+  return east.x > view.west && west.x < view.east && north.y > view.south && south.y < view.north;
+}
+
 struct LabelBox {
   double x = 0, y = 0;  // middle of the baseline
   double half = 0;      // of the width
@@ -137,12 +144,12 @@ constexpr double label_height = 15;  // px
 
 // The label of a line, beside its place if another label stands there; left out where all is full.
 std::string draw_label(const MapLine& line, const Layout& layout, std::vector<LabelBox>& taken) {
-  if (line.label.empty()) return "";
+  if (line.label.empty() || !is_in_view(line, layout.view)) return "";
   constexpr double size = 13;
   const auto kept = [](double place, double low, double high) {
     return std::clamp(place, low, std::max(low, high));
   };
-  const double half = text_width(line.label, size) / 2 + 4;
+  const double half = 1.12 * text_width(line.label, size) / 2 + 4;  // bold is wider
   const Vec3d place = label_place(line, layout);
   const double x = kept(place.x, layout.left + half, layout.left + layout.width - half);
   for (const double lines : {0, 1, -1, 2, -2, 3, -3}) {
