@@ -153,8 +153,6 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
                     "{:g} m",
                     maps.wet_depth),
         "kPa");
-  write("ground.tif", scene.surface->elevation(), "elevation of the ground as the run used it",
-        "m");
   write(
       "res.tif", maps.layers,
       fmt::format("greatest vertical depth over the particle spacing of {:g} m, where the flow is "

@@ -23,7 +23,7 @@ struct RunMaps {
 /// Classes of depth in particles: too few in orange, enough in violet.
 std::vector<ColourStep> resolution_steps();
 
-/// Writes the maps as GeoTIFF.
+/// Writes the maps as GeoTIFF; that of the ground is there from the start, see scene_record.
 void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const RunFolder& folder);
 
 /// Draws maps and series; returns the pictures for the index page.

@@ -17,6 +17,15 @@
 namespace sabo {
 namespace {
 
+void write_map(const std::filesystem::path& file, Raster raster, const std::string& what,
+               const std::string& note, const Frame& frame) {
+  raster.grid.west += frame.origin_x;
+  raster.grid.north += frame.origin_y;
+  RasterInfo info{frame.crs, what, "m"};
+  if (!note.empty()) info.metadata["note"] = note;
+  write_raster(file, raster, info);
+}
+
 /// Vertical depth of the release over the cells of the DEM, m, in the solver frame.
 Raster release_depth(const Case& c, const Scene& scene) {
   Columns columns(scene.surface->elevation(), c.numerics.spacing, c.material.density);
@@ -54,12 +63,10 @@ std::string edit_text(const TerrainEditCase& c, const EditReport& report) {
 void write_scene_record(const Case& c, const Scene& scene, const RunFolder& folder) {
   write_file_atomically(folder.root() / "case.toml", write_case(c));
   write_plan(folder.maps() / "plan.geojson", plan_lines(scene), scene.frame.crs);
-  Raster depth = release_depth(c, scene);
-  depth.grid.west += scene.frame.origin_x;
-  depth.grid.north += scene.frame.origin_y;
-  RasterInfo info{scene.frame.crs, "vertical depth of the release", "m"};
-  if (!c.note.empty()) info.metadata["note"] = c.note;
-  write_raster(folder.maps() / "rel.tif", depth, info);
+  write_map(folder.maps() / "ground.tif", scene.surface->elevation(),
+            "elevation of the ground as the run used it", c.note, scene.frame);
+  write_map(folder.maps() / "rel.tif", release_depth(c, scene), "vertical depth of the release",
+            c.note, scene.frame);
 }
 
 std::string scene_toml(const Case& c, const Scene& scene) {

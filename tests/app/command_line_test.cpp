@@ -64,8 +64,8 @@ TEST(CommandLine, AReportNeedsARunAndAKnownLanguage) {
 }
 
 TEST(CommandLine, MissingArgumentsAreUsageErrors) {
-  for (const char* command :
-       {"sabo new", "sabo check", "sabo run", "sabo info", "sabo report", "sabo run x -o", "sabo study x"})
+  for (const char* command : {"sabo new", "sabo check", "sabo run", "sabo info", "sabo report",
+                              "sabo run x -o", "sabo study x"})
     EXPECT_EQ(run_shell(command).code, 2) << command;
 }
 

@@ -36,19 +36,18 @@ std::string elevations_text(const Raster& ground) {
   return low <= high ? fmt::format("{} – {} m", fixed(low, 1), fixed(high, 1)) : "–";
 }
 
-/// A file that the case names, with its checksum; "" without it.
+/// The checksum of a file that the case names; "–" where the manifest does not have it.
 std::string checksum_text(const RunRecord& run, const std::string& file) {
   for (const TomlEntry& input : run.table("inputs"))
     if (input.key == file)
       if (const auto* sum = std::get_if<std::string>(&input.node.value)) return *sum;
-  return "";
+  return "–";
 }
 
 std::string dem_text(const Report& report) {
   const std::string dem = report.run.written("terrain", "dem");
   if (dem.empty()) return report.say("site.plane");
-  const std::string sum = checksum_text(report.run, dem);
-  return sum.empty() ? dem : fmt::format("{} (CRC-32 {})", dem, sum);
+  return fmt::format("{} (CRC-32 {})", dem, checksum_text(report.run, dem));
 }
 
 void tell_edits(Report& report) {
@@ -63,6 +62,9 @@ void tell_edits(Report& report) {
                           amount_or_dash(number_at(edit, "cut")),
                           amount_or_dash(number_at(edit, "fill")),
                           amount_or_dash(number_at(edit, "greatest_change"))});
+  const auto& described = report.run.described();
+  if (table.rows.empty() && described && !described->terrain.edits.empty())
+    return tell_missing(report, "manifest.toml [[edit]]");
   if (table.rows.empty()) return report.page.text(report.say("site.no_edits"));
   table.source = data_line(report, {"manifest.toml"});
   report.page.table(table);
