@@ -6,6 +6,7 @@
 
 #include "base/describe.hpp"
 #include "case/body_case.hpp"
+#include "case/load_case.hpp"
 #include "case/material_case.hpp"
 #include "case/measure_case.hpp"
 #include "case/numerics_case.hpp"
@@ -30,6 +31,7 @@ struct Case {
   std::vector<BodyCase> bodies;
   std::vector<SectionCase> sections;
   std::vector<ZoneCase> zones;
+  LoadCase loads;
   PathCase path;
   std::vector<ReferenceCase> references;
   NumericsCase numerics;
@@ -49,6 +51,7 @@ struct Case {
     v.tables("body", "solids that stand in the flow or hold it: boxes, tanks, meshes", bodies);
     v.tables("section", "lines that measure discharge", sections);
     v.tables("zone", "areas whose depth is measured", zones);
+    v.table("loads", "how forces on structures and bodies are read", loads);
     v.table("path", "the line along which the front is measured", path);
     v.tables("reference", "volumes known from elsewhere, printed beside the run's", references);
     v.table("numerics", "the method", numerics);

@@ -102,6 +102,40 @@ void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& al
        "Time at which the flow arrived (maps/tarr.tif)");
 }
 
+/// A chart per structure: what it bore beside the design formulas.
+void draw_loads(const std::vector<SeriesRow>& rows, const std::vector<LoadSummary>& loads,
+                Album& album) {
+  const auto kilo = [&rows](std::string name, std::size_t k, double LoadRow::*value) {
+    return series_of(rows, std::move(name),
+                     [k, value](const SeriesRow& row) { return row.loads[k].*value / 1000; });
+  };
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    LineChart chart{"Horizontal force on " + loads[k].name, "time [s]", "force [kN]"};
+    chart.series = {kilo("computed", k, &LoadRow::force),
+                    kilo("½ ρ g h²", k, &LoadRow::hydrostatic),
+                    kilo("α ρ h v²", k, &LoadRow::dynamic)};
+    album.add(fmt::format("force_{}.svg", k + 1), chart_svg(chart),
+              "Force beside the design formulas, which take depth h and speed v from the flow "
+              "before the structure (series/loads.csv)",
+              false);
+    ChartSeries over_height{fmt::format("at {:.1f} s", loads[k].row_time)};
+    for (const LoadProfile::Bin& bin : loads[k].profile) {
+      over_height.x.push_back(bin.pressure() / 1000);
+      over_height.y.push_back(0.5 * (bin.bottom + bin.top));
+    }
+    LineChart profile{"Pressure on " + loads[k].name, "pressure [kPa]", "elevation [m]"};
+    over_height.has_markers = true;
+    profile.series = {std::move(over_height)};
+    if (loads[k].profile.empty()) continue;
+    profile.y_low = loads[k].profile.front().bottom;
+    profile.y_high = loads[k].profile.back().top;
+    album.add(fmt::format("pressure_{}.svg", k + 1), chart_svg(profile),
+              "Mean horizontal pressure over the height when the force was greatest "
+              "(series/pressure_profiles.csv)",
+              false);
+  }
+}
+
 void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& album) {
   const auto chart = [&](const char* file, const char* title, const char* unit,
                          std::vector<ChartSeries> series, const char* caption) {
@@ -167,11 +201,13 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
 }
 
 std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<SeriesRow>& rows,
-                                       const Case& c, const Scene& scene, const RunFolder& folder) {
+                                       const std::vector<LoadSummary>& loads, const Case& c,
+                                       const Scene& scene, const RunFolder& folder) {
   Album album(folder);
   draw_maps(maps, c, scene, album);
   draw_resolution(maps, c, scene, album);
   draw_series(rows, scene, album);
+  draw_loads(rows, loads, album);
   return album.take();
 }
 

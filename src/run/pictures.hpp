@@ -24,6 +24,7 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
 
 /// Draws maps and series; returns the pictures for the index page.
 std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<SeriesRow>& rows,
-                                       const Case& c, const Scene& scene, const RunFolder& folder);
+                                       const std::vector<LoadSummary>& loads, const Case& c,
+                                       const Scene& scene, const RunFolder& folder);
 
 }  // namespace sabo
