@@ -30,6 +30,7 @@ struct Case {
   std::vector<StructureCase> structures;
   std::vector<BodyCase> bodies;
   std::vector<SectionCase> sections;
+  std::vector<GaugeCase> gauges;
   std::vector<ZoneCase> zones;
   LoadCase loads;
   PathCase path;
@@ -50,6 +51,7 @@ struct Case {
     v.tables("structure", "works in the way", structures);
     v.tables("body", "solids that stand in the flow or hold it: boxes, tanks, meshes", bodies);
     v.tables("section", "lines that measure discharge", sections);
+    v.tables("gauge", "points whose depth, speed and pressure are measured", gauges);
     v.tables("zone", "areas whose depth is measured", zones);
     v.table("loads", "how forces on structures and bodies are read", loads);
     v.table("path", "the line along which the front is measured", path);

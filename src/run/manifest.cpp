@@ -241,6 +241,9 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"maps/pfd.tif", "greatest depth, m"},
       {"maps/pfv.tif", "greatest speed, m/s"},
       {"maps/ppr.tif", "greatest pressure, kPa"},
+      {"maps/pmf.tif", "greatest momentum flux per width, kN/m"},
+      {"maps/det.tif", "thickness at the end, normal to the ground, m"},
+      {"maps/pft.tif", "greatest thickness, normal to the ground, m"},
       {"maps/tarr.tif", "arrival time, s"},
       {"maps/res.tif", "greatest depth over the particle spacing, particles"},
       {"maps/ground.tif", "elevation of the ground as the run used it, m"},
@@ -254,6 +257,12 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"frames/ground.vtp", "the ground for ParaView"}};
   if (!c.bodies.empty()) page.files.push_back({"frames/bodies.vtp", "the bodies for ParaView"});
   if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
+  if (!c.sections.empty()) {
+    page.files.push_back({"series/sections.csv", "area, depth and speeds at the sections"});
+    page.files.push_back({"series/velocity_profiles.csv", "their speed over the height"});
+  }
+  if (!c.gauges.empty())
+    page.files.push_back({"series/gauges.csv", "depth, speed and pressure at the gauges"});
   if (!facts.loads.empty()) {
     page.files.push_back({"series/loads.csv", "forces and moments on structures and bodies"});
     page.files.push_back({"series/pressure_profiles.csv", "their forces over the height"});

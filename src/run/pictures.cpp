@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/bed_normal.hpp"
 #include "analysis/resolution.hpp"
 #include "io/gis/write_raster.hpp"
 #include "io/output/file.hpp"
@@ -21,7 +22,7 @@ Raster in_crs(Raster raster, const Frame& frame) {
   return raster;
 }
 
-Raster in_kilopascal(Raster raster) {
+Raster in_kilo(Raster raster) {
   for (double& value : raster.values) value /= 1000;
   return raster;
 }
@@ -95,9 +96,11 @@ void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& al
        "Greatest depth of the flow (maps/pfd.tif)");
   draw("peak_speed.svg", "Greatest speed", "speed [m/s]", maps.peak_speed, 0.01,
        "Greatest speed of the flow (maps/pfv.tif)");
-  draw("peak_pressure.svg", "Greatest pressure", "pressure [kPa]",
-       in_kilopascal(maps.peak_pressure), 0.01,
-       "Greatest pressure in the column of the flow (maps/ppr.tif)");
+  draw("peak_pressure.svg", "Greatest pressure", "pressure [kPa]", in_kilo(maps.peak_pressure),
+       0.01, "Greatest pressure in the column of the flow (maps/ppr.tif)");
+  draw("peak_momentum.svg", "Greatest momentum flux", "density x depth x speed² [kN/m]",
+       in_kilo(maps.peak_momentum), 0.01,
+       "Greatest momentum flux per width: what it would push with against a wall (maps/pmf.tif)");
   draw("arrival.svg", "Arrival", "time [s]", maps.arrival, 0,
        "Time at which the flow arrived (maps/tarr.tif)");
 }
@@ -183,11 +186,21 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
   write("dep.tif", maps.deposit, "vertical depth at the end of the run", "m");
   write("pfd.tif", maps.peak_depth, "greatest vertical depth", "m");
   write("pfv.tif", maps.peak_speed, "greatest mass-weighted mean speed of the column", "m/s");
-  write("ppr.tif", in_kilopascal(maps.peak_pressure),
+  write("ppr.tif", in_kilo(maps.peak_pressure),
         fmt::format("greatest pressure of a particle in the column, where the flow is deeper than "
                     "{:g} m",
                     maps.wet_depth),
         "kPa");
+  write("pmf.tif", in_kilo(maps.peak_momentum),
+        fmt::format("greatest momentum flux per width, density x depth x speed^2 of the column, "
+                    "where the flow is deeper than {:g} m",
+                    maps.wet_depth),
+        "kN/m");
+  const Raster& ground = scene.surface->elevation();
+  write("det.tif", bed_normal_thickness(maps.deposit, ground),
+        "thickness normal to the ground at the end of the run", "m");
+  write("pft.tif", bed_normal_thickness(maps.peak_depth, ground),
+        "greatest thickness normal to the ground", "m");
   write("ground.tif", scene.surface->elevation(), "elevation of the ground as the run used it",
         "m");
   write(

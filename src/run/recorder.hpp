@@ -12,8 +12,10 @@
 #include "analysis/volume_ledger.hpp"
 #include "analysis/zone.hpp"
 #include "io/output/csv.hpp"
+#include "run/gauges.hpp"
 #include "run/run_folder.hpp"
 #include "run/scene.hpp"
+#include "run/section_states.hpp"
 #include "run/structure_loads.hpp"
 #include "solver/domain.hpp"
 #include "solver/stepper.hpp"
@@ -68,6 +70,8 @@ class Recorder {
   std::vector<Zone> zones_;
   Columns columns_;  // of the rows: those of the maps are sampled at other times
   std::vector<VolumeLedger> ledgers_;
+  SectionStates section_states_;
+  Gauges gauges_;
   StructureLoads loads_;
   Front front_;
   RestWatch rest_;

@@ -125,9 +125,13 @@ class Simulation {
       recorder_.finish(flow_.stepper().time(), flow_.backend().fluid());
     const FlowMaps& flow = recorder_.maps();
     const double spacing = flow_.model().spacing;
-    const RunMaps maps{flow.depth(),        flow.peak_depth(),
-                       flow.peak_speed(),   flow.peak_pressure(),
-                       flow.arrival_time(), layers_map(flow.peak_depth(), spacing),
+    const RunMaps maps{flow.depth(),
+                       flow.peak_depth(),
+                       flow.peak_speed(),
+                       flow.peak_pressure(),
+                       flow.peak_momentum_flux(),
+                       flow.arrival_time(),
+                       layers_map(flow.peak_depth(), spacing),
                        wet_depth(spacing)};
     const std::vector<SeriesRow>& rows = recorder_.rows();
     fill_facts(maps);

@@ -36,6 +36,16 @@ rheology = "newtonian"
 viscosity = 0.1
 [loads]
 filter = 0.1
+[[gauge]]
+name = "middle"
+place = [0.3, 0]
+[[gauge]]
+name = "halfway up"
+place = [0.3, 0]
+elevation = 0.25
+[[section]]
+name = "across"
+line = [[0.3, -0.2], [0.3, 0.2]]
 [numerics]
 spacing = 0.05
 h_max = 0.5
@@ -76,6 +86,16 @@ TEST(LoadsRun, WaterAtRestPressesWithItsWeight) {
   EXPECT_NEAR(last.at("wall moment y [N m]"), expected * depth / 3, 0.1 * expected * depth / 3);
   EXPECT_NE(run.text_of("manifest.toml").find("[[load]]"), std::string::npos);
   EXPECT_NE(run.text_of("index.html").find("series/pressure_profiles.csv"), std::string::npos);
+
+  const auto gauges = run.last_row("series/gauges.csv");
+  EXPECT_NEAR(gauges.at("middle depth [m]"), depth, 0.05 * depth);
+  EXPECT_NEAR(gauges.at("middle surface [m]"), depth, 0.05 * depth);
+  EXPECT_NEAR(gauges.at("middle pressure [Pa]"), density * g * depth, 0.05 * density * g * depth);
+  EXPECT_NEAR(gauges.at("halfway up pressure [Pa]"), density * g * depth / 2,
+              0.05 * density * g * depth);
+  const auto sections = run.last_row("series/sections.csv");
+  EXPECT_NEAR(sections.at("across area [m2]"), depth * width, 0.05 * depth * width);
+  EXPECT_NEAR(sections.at("across mean speed [m/s]"), 0, 0.01);
 
   const auto pressure = profile_of(run, "wall");
   ASSERT_GE(pressure.size(), 10u);
