@@ -82,7 +82,10 @@ std::vector<std::size_t> compared_cells(const ObservedCase& observed, const RunM
 
 ObservedCase observed_case(const FinishedRun& run, const ObservedOptions& options) {
   ObservedCase observed = run.run_case().observed;
-  if (!options.file.empty()) put_file(options.file, observed);
+  if (!options.file.empty()) {
+    put_file(options.file, observed);
+    observed.source = options.file.filename().string();
+  }
   if (options.wet_depth) {
     if (!(*options.wet_depth >= 0 && *options.wet_depth <= 100))
       throw CaseError("--wet", fmt::format("{} is not a depth", *options.wet_depth),
