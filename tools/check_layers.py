@@ -30,6 +30,7 @@ LAYERS = {
     "io/case_file": 6,
     "io/output": 6,
     "run": 7,
+    "post": 7,
     "bench": 7,
     "verify": 7,
     "app": 8,
@@ -42,6 +43,7 @@ SIBLINGS = {
     "backend/cpu": {"backend"},
     "backend/cuda": {"backend"},
     "io/output": {"io/gis", "analysis"},
+    "post": {"run"},
     "bench": {"run"},
     "verify": {"run"},
 }

@@ -25,6 +25,8 @@ constexpr const char* examples = R"(Examples:
   sabo study demo --spacings 4,3,2.2         run it at each spacing: what hangs on it
   sabo plot demo-run --times 10,30,60        draw the flow at these times
   sabo info demo-run                         what came out
+  sabo compare with-dam without-dam          what a dam changes
+  sabo hazard demo-run --rules japan         classes by rules that you can change
 
 Exit codes: 0 done, 2 the case or the command line is wrong, 3 the run failed, 130 interrupted.)";
 
@@ -39,6 +41,9 @@ void describe_program(CLI::App& program, Action& action) {
   add_study_command(program, action);
   add_sweep_command(program, action);
   add_plot_command(program, action);
+  add_compare_command(program, action);
+  add_hazard_command(program, action);
+  add_export_command(program, action);
   add_info_command(program, action);
   add_models_command(program, action);
   add_bench_command(program, action);

@@ -10,6 +10,7 @@
 #include "case/material_case.hpp"
 #include "case/measure_case.hpp"
 #include "case/numerics_case.hpp"
+#include "case/observed_case.hpp"
 #include "case/release_case.hpp"
 #include "case/run_case.hpp"
 #include "case/structure_case.hpp"
@@ -35,6 +36,7 @@ struct Case {
   LoadCase loads;
   PathCase path;
   std::vector<ReferenceCase> references;
+  ObservedCase observed;
   NumericsCase numerics;
   RunCase run;
   std::filesystem::path folder;  ///< of the case file, absolute; relative paths start here
@@ -56,6 +58,7 @@ struct Case {
     v.table("loads", "how forces on structures and bodies are read", loads);
     v.table("path", "the line along which the front is measured", path);
     v.tables("reference", "volumes known from elsewhere, printed beside the run's", references);
+    v.table("observed", "what a survey found, for sabo compare", observed);
     v.table("numerics", "the method", numerics);
     v.table("run", "how long, and what is written", run);
   }

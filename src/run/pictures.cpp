@@ -54,18 +54,6 @@ class Album {
   std::vector<PagePicture> pictures_;
 };
 
-/// Classes of depth in particles: orange where they are too few, violet where they are enough, in
-/// the order of ColorBrewer's PuOr, which any colour vision tells apart.
-std::vector<ColourStep> resolution_steps() {
-  constexpr double enough = ResolutionGuard::enough_layers;
-  constexpr double good = ResolutionGuard::good_layers;
-  return {{enough / 2, {179, 88, 6}, fmt::format("under {:g}", enough / 2)},
-          {enough, {241, 163, 64}, fmt::format("{:g} to {:g}", enough / 2, enough)},
-          {good, {254, 224, 182}, fmt::format("{:g} to {:g}", enough, good)},
-          {2 * good, {153, 142, 195}, fmt::format("{:g} to {:g}", good, 2 * good)},
-          {0, {84, 39, 136}, fmt::format("{:g} or more", 2 * good)}};
-}
-
 void draw_resolution(const RunMaps& maps, const Case& c, const Scene& scene, Album& album) {
   MapPicture map{
       fmt::format("Resolution: under {0:g} particles too coarse, {0:g} to {1:g} barely enough",
@@ -175,6 +163,17 @@ void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& 
 }
 
 }  // namespace
+
+// In the order of ColorBrewer's PuOr, which any colour vision tells apart.
+std::vector<ColourStep> resolution_steps() {
+  constexpr double enough = ResolutionGuard::enough_layers;
+  constexpr double good = ResolutionGuard::good_layers;
+  return {{enough / 2, {179, 88, 6}, fmt::format("under {:g}", enough / 2)},
+          {enough, {241, 163, 64}, fmt::format("{:g} to {:g}", enough / 2, enough)},
+          {good, {254, 224, 182}, fmt::format("{:g} to {:g}", enough, good)},
+          {2 * good, {153, 142, 195}, fmt::format("{:g} to {:g}", good, 2 * good)},
+          {0, {84, 39, 136}, fmt::format("{:g} or more", 2 * good)}};
+}
 
 void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const RunFolder& folder) {
   const auto write = [&](const char* file, const Raster& raster, const std::string& what,

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "io/output/colour_scale.hpp"
 #include "io/output/index_page.hpp"
 #include "run/recorder.hpp"
 
@@ -19,6 +20,9 @@ struct RunMaps {
   Raster layers;            ///< res, particles
   double wet_depth = 0.05;  ///< above which a cell counted as wet, m
 };
+
+/// Classes of depth in particles: too few in orange, enough in violet.
+std::vector<ColourStep> resolution_steps();
 
 /// Writes the maps as GeoTIFF.
 void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const RunFolder& folder);

@@ -1,11 +1,12 @@
 #include "io/case_file/check_rules.hpp"
 
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "io/case_file/check_bodies.hpp"
+#include "io/case_file/check_observed.hpp"
+#include "io/case_file/check_parts.hpp"
 #include "io/case_file/key_text.hpp"
 #include "physics/viscosity_of_concentration.hpp"
 
@@ -49,31 +50,6 @@ void check_ground(const TerrainCase& terrain, Faults& faults) {
     const std::string key = fmt::format("terrain.{}", name);
     if (is_given && !has_dem && !faults.has(key))
       faults.add(key, "applies to a dem only", "remove it");
-  }
-}
-
-/// Length in plan of a line given by coordinates, m.
-double plan_length(const LineSource& line) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.coordinates.size(); ++i) {
-    const auto& a = line.coordinates[i - 1];
-    const auto& b = line.coordinates[i];
-    length += std::hypot(b[0] - a[0], b[1] - a[1]);
-  }
-  return length;
-}
-
-void check_line(const LineSource& line, const std::string& key, Faults& faults) {
-  if (!line.coordinates.empty() && !(plan_length(line) > 0)) {
-    faults.add(key, "all its points are at one place", "give a line of some length");
-  }
-}
-
-void check_polygon(const LineSource& polygon, const std::string& key, Faults& faults) {
-  check_line(polygon, key, faults);
-  const std::size_t corners = polygon.coordinates.size();
-  if (corners > 0 && corners < 3) {
-    faults.add(key, "has fewer than three points", "give three or more");
   }
 }
 
@@ -231,20 +207,6 @@ void check_notch(const StructureCase& dam, const std::string& path, Faults& faul
   }
 }
 
-/// Names stand for their owners in the outputs.
-template <class T>
-void check_names(const std::vector<T>& members, const std::string& table, Faults& faults) {
-  std::map<std::string, std::size_t> first;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const auto [earlier, is_new] = first.emplace(members[i].name, i);
-    if (is_new) continue;
-    faults.add(fmt::format("{}[{}].name", table, i + 1),
-               fmt::format("\"{}\" is the name of {}[{}] too", members[i].name, table,
-                           earlier->second + 1),
-               "give each its own name");
-  }
-}
-
 /// A concentration stands for a viscosity; where both are given they must agree.
 void check_concentration(const MaterialCase& material, Faults& faults) {
   const std::string key = "material.concentration";
@@ -373,6 +335,7 @@ void check_rules(const Case& c, Faults& faults) {
   check_names(c.gauges, "gauge", faults);
   check_names(c.zones, "zone", faults);
   check_names(c.references, "reference", faults);
+  check_observed(c.observed, faults);
   check_concentration(c.material, faults);
   check_numerics(c.numerics, faults);
   check_interval(c.run.output_interval, "output_interval", max_frames, c.run.duration, faults);

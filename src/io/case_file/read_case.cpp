@@ -213,6 +213,7 @@ Case read_text(std::string_view text, const FileContext& file,
   name_nameless(result.gauges, "gauge");
   name_nameless(result.zones, "zone");
   name_nameless(result.terrain.edits, "edit");
+  name_nameless(result.observed.arrivals, "arrival");
   check_rules(result, file.faults);
   return result;
 }

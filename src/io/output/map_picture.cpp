@@ -17,6 +17,7 @@ namespace {
 constexpr double longest_side = 1100;  // px, of a wide map
 constexpr double tallest_side = 900;   // px
 constexpr double narrowest = 640;      // px, so that the legend has room
+constexpr double scale_width = 260;    // px, of scale bar and north arrow beside a legend
 constexpr double margin = 20;          // px
 constexpr double note_size = 13;       // px
 constexpr double note_line = 20;       // px
@@ -59,7 +60,8 @@ Layout layout_of(const MapPicture& map) {
   layout.scale = std::min(longest_side / east_west, tallest_side / north_south);
   layout.width = std::round(east_west * layout.scale);
   layout.height = std::round(north_south * layout.scale);
-  layout.page_width = std::max(layout.width, narrowest) + 2 * margin;
+  const double legend = step_bar_width(map.steps) + scale_width;
+  layout.page_width = std::max({layout.width, narrowest, legend}) + 2 * margin;
   layout.left = std::round((layout.page_width - layout.width) / 2);
   layout.note = wrapped(map.note, note_size, layout.page_width - 2 * margin);
   layout.top = 48 + note_line * static_cast<double>(layout.note.size());

@@ -12,8 +12,11 @@ namespace sabo {
 /// (x, y), the quantity above it and values below. It needs 25 px above y and 30 px below.
 std::string svg_colour_bar(double x, double y, std::string_view quantity, double top);
 
-/// The classes of a stepped scale side by side, each with its label below, in the same place.
+/// The classes of a stepped scale side by side, each as wide as its label below, in the same place.
 std::string svg_step_bar(double x, double y, std::string_view quantity,
                          std::span<const ColourStep> steps);
+
+/// Width of that bar, pixels.
+double step_bar_width(std::span<const ColourStep> steps);
 
 }  // namespace sabo
