@@ -29,6 +29,7 @@ LAYERS = {
     "io/mesh": 6,
     "io/case_file": 6,
     "io/output": 6,
+    "io/web": 6,
     "run": 7,
     "bench": 7,
     "verify": 7,
@@ -42,6 +43,7 @@ SIBLINGS = {
     "backend/cpu": {"backend"},
     "backend/cuda": {"backend"},
     "io/output": {"io/gis", "analysis"},
+    "io/web": {"io/output"},
     "bench": {"run"},
     "verify": {"run"},
 }

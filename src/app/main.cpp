@@ -24,6 +24,7 @@ constexpr const char* examples = R"(Examples:
   sabo run demo --spacing 1.5 --duration 60  run it, coarser and shorter than it says
   sabo study demo --spacings 4,3,2.2         run it at each spacing: what hangs on it
   sabo plot demo-run --times 10,30,60        draw the flow at these times
+  sabo view demo-run                         the flow in 3D, in a browser
   sabo info demo-run                         what came out
 
 Exit codes: 0 done, 2 the case or the command line is wrong, 3 the run failed, 130 interrupted.)";
@@ -38,6 +39,7 @@ void describe_program(CLI::App& program, Action& action) {
   add_run_command(program, action);
   add_study_command(program, action);
   add_plot_command(program, action);
+  add_view_command(program, action);
   add_info_command(program, action);
   add_models_command(program, action);
   add_bench_command(program, action);

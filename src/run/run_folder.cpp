@@ -26,7 +26,8 @@ RunFolder::RunFolder(std::filesystem::path folder, bool overwrite) : root_(std::
       throw CaseError(root_.string(), "holds a run already",
                       "choose another folder with -o, or say --overwrite");
     if (is_run)
-      for (const fs::path& part : {maps(), series(), frames(), pictures(), index(), states()})
+      for (const fs::path& part :
+           {maps(), series(), frames(), pictures(), view(), index(), states()})
         fs::remove_all(part, error);
   }
   for (const fs::path& part : {root_, maps(), series(), frames(), pictures()}) {

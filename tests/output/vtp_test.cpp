@@ -119,7 +119,7 @@ TEST_F(Vtp, RefusesArraysThatDoNotFitAndValuesThatAreNotFinite) {
   frame.points = points;
   const std::vector<float> three{1, 2, 3};
   frame.arrays = {{"p", 1, std::span(three)}};
-  EXPECT_THAT(run_error_of([&] { written(frame); }), HasSubstr("p has 3 values for 2 particles"));
+  EXPECT_THAT(run_error_of([&] { written(frame); }), HasSubstr("p has 3 values for 2 points"));
   const std::vector<float> bad{1, std::numeric_limits<float>::quiet_NaN()};
   frame.arrays = {{"p", 1, std::span(bad)}};
   EXPECT_THAT(run_error_of([&] { written(frame); }), HasSubstr("p holds nan"));
