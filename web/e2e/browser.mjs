@@ -13,6 +13,9 @@ function isAtHome(url) {
   return ['file:', 'data:', 'blob:'].includes(protocol) || hostname === '127.0.0.1';
 }
 
+/** What the driver of the graphics says of its speed, of every page that is read back. */
+const isRemarkOfDriver = (text) => text.includes('GL Driver Message') && text.includes('Performance');
+
 /**
  * Calls test(page) with a page that has been opened, then fails if it wrote an error to the console,
  * threw, or asked for anything outside of this machine.
@@ -30,7 +33,8 @@ export async function withPage(url, test, { width = 1280, height = 720 } = {}) {
     const page = await context.newPage();
     const faults = [];
     page.on('console', (message) => {
-      if (['error', 'warning'].includes(message.type())) faults.push(`console: ${message.text()}`);
+      if (!['error', 'warning'].includes(message.type()) || isRemarkOfDriver(message.text())) return;
+      faults.push(`console: ${message.text()}`);
     });
     page.on('pageerror', (error) => faults.push(`thrown: ${error.message}`));
     page.on('request', (request) => {

@@ -54,9 +54,9 @@ async function tour(page) {
 
   await toTime(page, 3);
   assert.match(await clock(page), /^3\.00 s of 5\.00 s$/);
-  await page.keyboard.press('ArrowRight');
-  assert.match(await clock(page), /^4\.00 s/);
-
+  await page.keyboard.press('End');
+  await page.keyboard.press('ArrowLeft');
+  assert.match(await clock(page), /^4\.0\d s/); // the frame before the last
   const { x, y } = await middleOfFlow(page);
   await page.mouse.click(x, y);
   const values = await page.locator('.values table').innerText();

@@ -125,6 +125,7 @@ ViewServer::ViewServer(ServedView view, std::optional<int> port)
   server.set_socket_options(let_port_be_used_again);
   server.new_task_queue = [] { return new httplib::ThreadPool(threads); };
   server.set_payload_max_length(0);
+  server.set_keep_alive_max_count(10'000);
   server.set_pre_routing_handler(
       [parts = parts_.get()](const httplib::Request& request, httplib::Response& response) {
         return parts->check(request, response);

@@ -65,6 +65,7 @@ export class Controls {
         contour.value = isShown ? pane.contour : 0;
       }))),
       checkbox('smooth', true, (isSmooth) => { player.isSmooth = isSmooth; viewer.refresh(); }),
+      ...this.#nearViews(),
       element('div', { className: 'buttons' },
         button('reset', () => viewer.lookAgain()), button('above', () => viewer.lookFromAbove()),
         button('screenshot', () => viewer.savePicture())),
@@ -77,6 +78,18 @@ export class Controls {
     const isWide = window.matchMedia('(min-width: 760px)').matches;
     return element('details', { className: 'card panel', open: isWide },
       words('summary', 'settings'), ...items);
+  }
+
+  /** A choice of dams and buildings to come near to. */
+  #nearViews() {
+    const anchors = this.viewer.stage.panes.flatMap((pane) => pane.solids.anchors);
+    if (anchors.length === 0) return [];
+    const made = choice('lookAt', { '': 'all' }, '', (k) =>
+      (k === '' ? this.viewer.lookAgain() : this.viewer.lookAt(anchors[k])));
+    anchors.forEach(({ name }, k) => made.select.append(
+      element('option', { value: k, textContent: name })));
+    this.lookAt = made.select;
+    return [made];
   }
 
   #comparison() {

@@ -1,3 +1,5 @@
+import './raw_colours.js';
+
 import { element } from './dom.js';
 import { Run } from './run.js';
 import { setLanguage, text } from './text.js';

@@ -1,10 +1,11 @@
 import {
-  BufferGeometry, DataTexture, DynamicDrawUsage, FloatType, GLSL3, InterleavedBuffer,
+  BufferAttribute, BufferGeometry, DataTexture, DynamicDrawUsage, FloatType, GLSL3, InterleavedBuffer,
   InterleavedBufferAttribute, NearestFilter, Points, RedFormat, ShaderMaterial, Vector2, Vector3,
   Vector4,
 } from 'three';
 
 import { viridis } from './colours.js';
+import { Foremost } from './foremost.js';
 
 const fields = 6; // x, y, height over the ground, depth, speed, pressure
 
@@ -108,6 +109,23 @@ export class Particles {
     this.shown = { first, second, share };
     this.material.uniforms.share.value = share;
     return true;
+  }
+
+  /** Leaves out the particles behind others; see Foremost. */
+  leaveOutHidden(matrix, picture) {
+    if (this.count === 0) return;
+    this.foremost ??= new Foremost();
+    const numbers = this.foremost.of(this, matrix, picture);
+    const { geometry } = this.points;
+    if (!geometry.index || geometry.index.count < this.count) {
+      geometry.setIndex(new BufferAttribute(new Uint32Array(this.count), 1));
+      geometry.index.setUsage(DynamicDrawUsage);
+    }
+    geometry.index.array.set(numbers);
+    geometry.index.clearUpdateRanges();
+    geometry.index.addUpdateRange(0, numbers.length);
+    geometry.index.needsUpdate = true;
+    geometry.setDrawRange(0, numbers.length);
   }
 
   get count() {

@@ -38,12 +38,9 @@ function groundUnder(stage, { pane, left, width }, x, y) {
 /** The particle that is seen at a place of the picture, as its number; -1 if there is none. */
 function particleAt(stage, view, x, y, behind) {
   const { particles, run } = view.pane;
-  const matrix = stage.camera.projectionMatrix.clone()
-    .multiply(stage.camera.matrixWorldInverse).multiply(view.pane.matrix);
-  const e = matrix.elements;
+  const e = stage.clip(view.pane).elements;
   const value = new Float64Array(6);
-  const scale = (stage.camera.projectionMatrix.elements[5] * stage.height) / 2;
-  const size = particles.material.uniforms.size.value;
+  const { size } = stage.picture(view.pane, view.width);
   let best = -1, nearest = behind;
   for (let i = 0; i < particles.count; ++i) {
     const [px, py, h] = particles.read(i, value);
@@ -52,7 +49,7 @@ function particleAt(stage, view, x, y, behind) {
     if (w <= 0 || w >= nearest) continue;
     const dx = view.left + ((e[0] * px + e[4] * py + e[8] * pz + e[12]) / w + 1) * (view.width / 2) - x;
     const dy = (1 - (e[1] * px + e[5] * py + e[9] * pz + e[13]) / w) * (stage.height / 2) - y;
-    const radius = Math.max(4, (size * scale) / w / 2);
+    const radius = Math.max(4, size / w / 2);
     if (dx * dx + dy * dy > radius * radius) continue;
     best = i;
     nearest = w;

@@ -18,11 +18,11 @@ uniform vec3 light;
 varying vec3 facing;
 void main() {
   float towards = dot(normalize(facing), light) * (gl_FrontFacing ? 1.0 : -1.0);
-  vec3 colour = vec3(0.80, 0.33, 0.25) * (0.62 + 0.45 * towards);
+  vec3 colour = vec3(0.80, 0.33, 0.25) * (0.72 + 0.34 * towards);
   gl_FragColor = vec4(colour, 1.0);
 }`;
 
-/** The point of a solid that its name stands at: over its middle, at its top. */
+/** Where the name of a solid stands, over its middle at its top, and half its size in plan, m. */
 function anchorOf(corners) {
   const low = [Infinity, Infinity], high = [-Infinity, -Infinity];
   let top = -Infinity;
@@ -33,7 +33,10 @@ function anchorOf(corners) {
     }
     top = Math.max(top, corners[i + 2]);
   }
-  return [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, top];
+  return {
+    at: [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, top],
+    size: Math.hypot(high[0] - low[0], high[1] - low[1]) / 2,
+  };
 }
 
 /** Dams and buildings of a scene, lit, with their edges; and where their names stand. */
@@ -53,7 +56,7 @@ export function makeSolids(solids) {
     geometry.computeVertexNormals();
     group.add(new Mesh(geometry, material));
     group.add(new LineSegments(new EdgesGeometry(geometry, 25), edge));
-    if (solid.name) anchors.push({ name: solid.name, kind: 'solid', at: anchorOf(corners) });
+    if (solid.name) anchors.push({ name: solid.name, kind: 'solid', ...anchorOf(corners) });
   }
   return { group, anchors };
 }

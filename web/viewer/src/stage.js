@@ -1,11 +1,9 @@
-import { ColorManagement, LinearSRGBColorSpace, PerspectiveCamera, Vector3, WebGLRenderer } from 'three';
+import { LinearSRGBColorSpace, PerspectiveCamera, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/addons/controls/OrbitControls.js';
 
 import { Pane } from './pane.js';
 
-ColorManagement.enabled = false;
-
-const opening = 40; // degrees, of the shorter side of the picture
+const opening = 32; // degrees, from top to bottom of the picture
 
 /** Whether the graphics are computed by the processor. */
 function isSoftware(gl) {
@@ -112,6 +110,7 @@ export class Stage {
       pane.particles.material.uniforms.pixels.value.set(
         (camera.projectionMatrix.elements[5] * height * ratio) / 2, 2 * ratio);
       pane.prepare(renderer, camera);
+      if (this.isSlow) pane.particles.leaveOutHidden(this.clip(pane), this.picture(pane, width));
     }
     renderer.setScissorTest(true);
     for (const { pane, left, width, from, to } of views) {
@@ -124,6 +123,19 @@ export class Stage {
     this.onDraw();
   }
 
+  /** From the scene's frame of a pane to clip space. */
+  clip(pane) {
+    return this.camera.projectionMatrix.clone()
+      .multiply(this.camera.matrixWorldInverse).multiply(pane.matrix);
+  }
+
+  /** Size of the picture (px) and of a particle on it, in px at a distance of 1 m. */
+  picture(pane, width) {
+    const { size } = pane.particles.material.uniforms;
+    const scale = (this.camera.projectionMatrix.elements[5] * this.height) / 2;
+    return { width, height: this.height, size: size.value * scale };
+  }
+
   /** Where a point of the first scene's frame is on the picture of a view, px; null behind the camera. */
   project({ pane, left, width }, [x, y, z]) {
     const point = new Vector3(x, y, z).applyMatrix4(pane.matrix);
@@ -133,27 +145,44 @@ export class Stage {
     return { x: left + ((point.x + 1) / 2) * width, y: ((1 - point.y) / 2) * this.height, depth: -depth };
   }
 
-  /** Looks at a box (scene's frame) from an azimuth (degrees from north, looking that way) and down. */
-  look({ low, high }, azimuth, down) {
+  /**
+   * Looks at points (scene's frame) from the nearest place that holds them all, towards an azimuth
+   * (degrees from north) and down. `free` is the part of the picture that nothing lies over: shares
+   * of its height above and below.
+   */
+  look(points, azimuth, down, free = { above: 0.2, below: 0.17 }) {
     const a = (azimuth * Math.PI) / 180, d = (down * Math.PI) / 180;
     const forward = new Vector3(Math.sin(a) * Math.cos(d), Math.cos(a) * Math.cos(d), -Math.sin(d));
     const right = new Vector3(Math.cos(a), -Math.sin(a), 0);
     const up = new Vector3().crossVectors(right, forward);
     const tall = Math.tan((this.camera.fov * Math.PI) / 360), wide = tall * this.camera.aspect;
-    const e = this.exaggeration ?? 1;
-    const corners = [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(
-      (k & 1 ? high : low)[0] - this.centre[0], (k & 2 ? high : low)[1] - this.centre[1],
-      e * ((k & 4 ? high : low)[2] - this.centre[2])));
-    const target = corners[0].clone().add(corners[7]).multiplyScalar(0.5);
-    let away = 1;
-    for (const corner of corners) {
-      const q = corner.clone().sub(target);
-      const near = q.dot(forward);
-      away = Math.max(away, Math.abs(q.dot(right)) / wide - near, Math.abs(q.dot(up)) / tall - near);
-    }
-    away *= 1.06;
-    this.controls.target.copy(target);
-    this.camera.position.copy(target).addScaledVector(forward, -away);
+    const seen = points.map(([x, y, z]) => {
+      const p = new Vector3(x - this.centre[0], y - this.centre[1],
+        (this.exaggeration ?? 1) * (z - this.centre[2]));
+      return [p.dot(right), p.dot(up), p.dot(forward)];
+    });
+    // Between the planes through the camera that bound the free part, one pair at a time.
+    const fit = (axis, low, high) => {
+      const least = Math.min(...seen.map((p) => p[axis] - low * p[2]));
+      const most = Math.max(...seen.map((p) => p[axis] - high * p[2]));
+      const depth = (least - most) / (high - low); // of the camera, along forward
+      return { depth, at: least + low * depth };
+    };
+    const across = fit(0, -0.92 * wide, 0.92 * wide);
+    const upright = fit(1, -tall * (1 - 2 * free.below), tall * (1 - 2 * free.above));
+    const depth = Math.min(across.depth, upright.depth);
+    const middle = (axis, low, high) => {
+      const least = Math.min(...seen.map((p) => p[axis] - low * (p[2] - depth)));
+      const most = Math.max(...seen.map((p) => p[axis] - high * (p[2] - depth)));
+      return (least + most) / 2;
+    };
+    const x = middle(0, -0.92 * wide, 0.92 * wide);
+    const y = middle(1, -tall * (1 - 2 * free.below), tall * (1 - 2 * free.above));
+    const place = new Vector3().addScaledVector(right, x).addScaledVector(up, y)
+      .addScaledVector(forward, depth);
+    const away = seen.reduce((sum, p) => sum + p[2] - depth, 0) / seen.length;
+    this.camera.position.copy(place);
+    this.controls.target.copy(place).addScaledVector(forward, away);
     this.#fitCamera();
     this.controls.update();
     this.cameraMoved();

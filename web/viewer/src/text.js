@@ -17,6 +17,7 @@ const english = {
   exaggeration: 'Heights drawn', pointSize: 'Size of particles',
   show: 'Show', solids: 'Dams and buildings', lines: 'Sections, zones, path', labels: 'Names', contours: 'Contour lines',
   smooth: 'Fill in between frames',
+  lookAt: 'Look at', all: 'all of the flow',
   settings: 'Settings', reset: 'Whole view', above: 'From above', screenshot: 'Save picture',
   compare: 'Compare', first: 'First run', second: 'Second run', both: 'Side by side', swipe: 'Swipe', swipeAt: 'Place of the swipe', swap: 'Press C to change',
   place: 'Place', elevation: 'Elevation', heightOver: 'Above ground', noFlow: 'no flow here', close: 'Close', values: 'Values', atTime: 'at {time} s',
@@ -24,7 +25,6 @@ const english = {
   part: ' (one of {n})',
   between: 'between frames: filled in',
   clipped: 'Colours reach to 99.5 % of the particles of each frame; beyond, the darkest.',
-  north: 'N',
 };
 
 const japanese = {
@@ -45,6 +45,7 @@ const japanese = {
   exaggeration: '高さの倍率', pointSize: '粒子の大きさ',
   show: '表示', solids: '堰堤・建物', lines: '測線・区域・流路', labels: '名称', contours: '等高線',
   smooth: 'コマの間を補間',
+  lookAt: '注目', all: '流れ全体',
   settings: '設定', reset: '全体表示', above: '真上から', screenshot: '画像を保存',
   compare: '比較', first: '一つ目', second: '二つ目', both: '左右に並べる', swipe: 'スワイプ', swipeAt: '境界の位置', swap: 'Cキーで切替',
   place: '位置', elevation: '標高', heightOver: '地表からの高さ', noFlow: '流れなし', close: '閉じる', values: '値', atTime: '{time} s',
@@ -52,7 +53,6 @@ const japanese = {
   part: '({n}個に1個)',
   between: 'コマの間は補間',
   clipped: '色の範囲は各コマの粒子の99.5 %まで。それ以上は最も濃い色。',
-  north: '北',
 };
 
 const tables = { en: english, ja: japanese };

@@ -35,7 +35,7 @@ export class Viewer {
     const [run] = this.runs;
     const [first, last] = await Promise.all([run.whenLoaded(0), run.whenLoaded(run.times.length - 1)]);
     this.home = homeView(run, [first, last]);
-    this.stage.look(this.home.box, this.home.azimuth, this.home.down);
+    this.stage.look(this.home.points, this.home.azimuth, 36);
     this.setTime(0);
     requestAnimationFrame((now) => this.#tick(now, now));
   }
@@ -72,11 +72,20 @@ export class Viewer {
   }
 
   lookAgain() {
-    this.stage.look(this.home.box, this.home.azimuth, this.home.down);
+    this.stage.look(this.home.points, this.home.azimuth, 36);
+  }
+
+  /** Comes near to a dam or building, from the same side. */
+  lookAt(anchor) {
+    const [x, y, z] = anchor.at;
+    const reach = Math.max(1.2 * anchor.size, 10 * this.runs[0].ground.dx);
+    const around = [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([east, north]) =>
+      [x + east * reach, y + north * reach, this.runs[0].ground.height(x, y)]);
+    this.stage.look([...around, [x, y, z]], this.home.azimuth, 30);
   }
 
   lookFromAbove() {
-    this.stage.look(this.home.box, 0, 89.9);
+    this.stage.look(this.home.points, 0, 89.9);
   }
 
   /** Shows the time as far as its frames are there; false while they are loaded. */
@@ -153,33 +162,24 @@ export class Viewer {
   }
 }
 
-/** From where the whole way of the flow is seen: down on it, looking up the valley from aside. */
+/** Points to show (the way of the flow, sections), and from where: up the valley from aside. */
 function homeView(run, frames) {
   const { ground } = run;
-  const low = [Infinity, Infinity, Infinity], high = [-Infinity, -Infinity, -Infinity];
-  const include = (x, y) => {
-    if (!ground.has(x, y)) return;
-    [x, y, ground.height(x, y)].forEach((value, k) => {
-      low[k] = Math.min(low[k], value);
-      high[k] = Math.max(high[k], value);
-    });
-  };
-  for (const frame of frames.filter(({ count }) => count > 0))
-    for (const x of [frame.low[0], frame.high[0]])
-      for (const y of [frame.low[1], frame.high[1]]) include(x, y);
-  for (const { kind, points } of run.scene.lines)
-    if (kind === 'section') points.forEach(([x, y]) => include(x, y));
-  if (low[0] > high[0]) {
-    include(ground.x(0), ground.y(0));
-    include(ground.x(ground.columns - 1), ground.y(ground.rows - 1));
+  const points = [];
+  const include = (x, y) => ground.has(x, y) && points.push([x, y, ground.height(x, y)]);
+  for (const { values, low, high, count } of frames) {
+    const step = Math.max(1, Math.floor(count / 300));
+    for (let i = 0; i < count; i += step)
+      include(...[0, 1].map((k) => low[k] + ((high[k] - low[k]) * values[6 * i + k]) / 65535));
   }
-  if (low[0] > high[0])
-    return { box: { low: [ground.west, ground.south, ground.low], high: [ground.east, ground.north, ground.high] }, azimuth: 0, down: 40 };
+  for (const { kind, points: line } of run.scene.lines)
+    if (kind === 'section') line.forEach(([x, y]) => include(x, y));
+  const [west, east] = [ground.x(0), ground.x(ground.columns - 1)];
+  const [north, south] = [ground.y(0), ground.y(ground.rows - 1)];
+  if (points.length < 2)
+    for (const x of [west, east]) for (const y of [north, south]) points.push([x, y, ground.height(x, y)]);
   const path = run.scene.lines.find(({ kind }) => kind === 'path')?.points ?? [];
-  let azimuth = 0;
-  if (path.length > 1) {
-    const [[x0, y0], [x1, y1]] = [path[0], path.at(-1)];
-    azimuth = (Math.atan2(x0 - x1, y0 - y1) * 180) / Math.PI + 40;
-  }
-  return { box: { low, high }, azimuth, down: 35 };
+  if (path.length < 2) return { points, azimuth: 0 };
+  const [[x0, y0], [x1, y1]] = [path[0], path.at(-1)];
+  return { points, azimuth: (Math.atan2(x0 - x1, y0 - y1) * 180) / Math.PI + 42 };
 }
