@@ -121,6 +121,7 @@ void ViewWriter::add(const RunFrame& frame) {
 void ViewWriter::finish() {
   view_.title = case_.title.empty() ? "Debris flow" : case_.title;
   view_.note = case_.note;
+  view_.run = fs::absolute(folder_).lexically_normal().parent_path().filename().string();
   view_.program = fmt::format("sabo {}", build_version);
   view_.frame = scene_.frame;
   view_.spacing = case_.numerics.spacing;

@@ -75,7 +75,7 @@ TEST(ViewFrame, WithoutParticlesIsAFrame) {
 
 TEST(ViewScene, EscapesEveryNameAndMarksHoles) {
   ViewScene scene;
-  scene.title = scene.note = "</script>";
+  scene.title = scene.note = scene.run = "</script>";
   scene.solids.push_back({"</script>", {}});
   scene.lines.push_back({MapLine::Kind::section, "</script>", {{{1, 2, 0}, {3, 4, 0}}, false}});
   scene.ground = Raster(Grid{.columns = 2, .rows = 2});

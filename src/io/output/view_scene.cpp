@@ -93,11 +93,11 @@ std::string frame_text(const ViewFrameEntry& entry) {
 std::string view_scene_script(const ViewScene& scene) {
   const std::string& wkt = scene.frame.crs;
   return fmt::format(
-      "sabo_scene({{\"format\":{},\"title\":{},\"note\":{},\"program\":{},\"crs\":{},\n"
+      "sabo_scene({{\"format\":{},\"title\":{},\"note\":{},\"run\":{},\"program\":{},\"crs\":{},\n"
       "\"origin\":[{:.17g},{:.17g}],\"spacing\":{},\"one_of\":{},\n"
       "\"tops\":{{\"depth\":{},\"speed\":{},\"pressure\":{}}},\n"
       "\"frames\":{},\n\"lines\":{},\n\"solids\":{},\n\"ground\":{}}});\n",
-      view_format, script_string(scene.title), script_string(scene.note),
+      view_format, script_string(scene.title), script_string(scene.note), script_string(scene.run),
       script_string(scene.program), script_string(wkt.empty() ? "" : name_of(crs_of(wkt))),
       scene.frame.origin_x, scene.frame.origin_y, json_number(scene.spacing), scene.one_of,
       json_number(scene.depth_top), json_number(scene.speed_top), json_number(scene.pressure_top),

@@ -30,6 +30,7 @@ struct ViewFrameEntry {
 struct ViewScene {
   std::string title = {};
   std::string note = {};
+  std::string run = {};      ///< name of the run's folder, which tells two runs apart
   std::string program = {};  ///< what wrote it, "sabo 0.1.0"
   Frame frame = {};
   Raster ground = {};      ///< NaN without data

@@ -21,6 +21,7 @@ export async function savePicture({ stage, labels, legend, lines, name }) {
     c.strokeText(label, (left + right) / 2, top + 15);
     c.fillText(label, (left + right) / 2, top + 15);
   }
+  drawDivider(c, stage);
   drawLines(c, lines);
   drawLegend(c, legend, stage);
   const blob = await new Promise((resolve) => { picture.toBlob(resolve, 'image/png'); });
@@ -29,6 +30,12 @@ export async function savePicture({ stage, labels, legend, lines, name }) {
   link.download = name;
   link.click();
   setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+function drawDivider(c, stage) {
+  if (stage.views.length < 2) return;
+  c.fillStyle = '#1f2933';
+  c.fillRect(stage.views[1].from - 1, 0, 2, stage.height);
 }
 
 function card(c, left, top, width, height) {

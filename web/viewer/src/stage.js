@@ -108,7 +108,7 @@ export class Stage {
     for (const { pane, width } of views) {
       pane.setSize(Math.round(width * ratio), Math.round(height * ratio), this.isSlow ? 0 : 4);
       pane.particles.material.uniforms.pixels.value.set(
-        (camera.projectionMatrix.elements[5] * height * ratio) / 2, 2 * ratio);
+        (camera.projectionMatrix.elements[5] * height * ratio) / 2, 3 * ratio);
       pane.prepare(renderer, camera);
       if (this.isSlow) pane.particles.leaveOutHidden(this.clip(pane), this.picture(pane, width));
     }

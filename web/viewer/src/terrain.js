@@ -44,7 +44,7 @@ function surfaceGeometry(ground) {
 /** Walls down from the rim of the map, so that it looks like a block that was cut out. */
 function rimGeometry(ground) {
   const { columns, rows } = ground;
-  const base = ground.low - 0.06 * Math.max(ground.high - ground.low, ground.dx * 10);
+  const base = ground.low - 0.03 * Math.max(ground.high - ground.low, ground.dx * 10);
   const position = [], shade = [], index = [];
   const wall = (cells, brightness) => {
     for (let i = 0; i < cells.length; ++i) {
@@ -59,10 +59,10 @@ function rimGeometry(ground) {
   };
   const across = Array.from({ length: columns }, (_, c) => c);
   const down = Array.from({ length: rows }, (_, r) => r);
-  wall(across.map((c) => [c, 0]), 0.45);
-  wall(across.map((c) => [c, rows - 1]), 0.35);
-  wall(down.map((r) => [0, r]), 0.5);
-  wall(down.map((r) => [columns - 1, r]), 0.3);
+  wall(across.map((c) => [c, 0]), 0.66);
+  wall(across.map((c) => [c, rows - 1]), 0.58);
+  wall(down.map((r) => [0, r]), 0.7);
+  wall(down.map((r) => [columns - 1, r]), 0.54);
   const geometry = new BufferGeometry();
   geometry.setAttribute('position', new BufferAttribute(new Float32Array(position), 3));
   geometry.setAttribute('shade', new BufferAttribute(new Float32Array(shade), 1));

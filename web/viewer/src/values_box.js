@@ -58,7 +58,7 @@ export class ValuesBox {
     const each = (value) => all.map(({ found }) => value(found) ?? '–');
     const rows = [];
     if (panes.length > 1)
-      rows.push(row('compare', '', [text('first'), text('second')]));
+      rows.push(row('compare', '', panes.map(({ run }) => run.scene.run)));
     rows.push(row('place', 'm', panes.map((_, k) =>
       (k === 0 ? `${spaced(east, 1)}  ${spaced(north, 1)}` : ''))));
     rows.push(row('elevation', 'm', each(({ ground }) => ground !== null && spaced(ground, 1))));

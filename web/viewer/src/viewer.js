@@ -32,9 +32,10 @@ export class Viewer {
   }
 
   async start() {
-    const [run] = this.runs;
-    const [first, last] = await Promise.all([run.whenLoaded(0), run.whenLoaded(run.times.length - 1)]);
-    this.home = homeView(run, [first, last]);
+    const { origin } = this.runs[0].scene;
+    const alike = this.runs.filter(({ scene }) => scene.origin.every((x, k) => x === origin[k]));
+    const ends = alike.flatMap((run) => [run.whenLoaded(0), run.whenLoaded(run.times.length - 1)]);
+    this.home = homeView(this.runs[0], await Promise.all(ends));
     this.stage.look(this.home.points, this.home.azimuth, 36);
     this.setTime(0);
     requestAnimationFrame((now) => this.#tick(now, now));
@@ -78,7 +79,7 @@ export class Viewer {
   /** Comes near to a dam or building, from the same side. */
   lookAt(anchor) {
     const [x, y, z] = anchor.at;
-    const reach = Math.max(1.2 * anchor.size, 10 * this.runs[0].ground.dx);
+    const reach = Math.max(1.5 * anchor.size, 10 * this.runs[0].ground.dx);
     const around = [[-1, -1], [-1, 1], [1, -1], [1, 1]].map(([east, north]) =>
       [x + east * reach, y + north * reach, this.runs[0].ground.height(x, y)]);
     this.stage.look([...around, [x, y, z]], this.home.azimuth, 30);
