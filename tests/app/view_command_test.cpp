@@ -27,8 +27,11 @@ TEST(ViewCommand, ServesUntilItIsStopped) {
   const Outcome view = run_shell(
       "cd '" + (folder / "").string() +
       "' && sabo new yohutagawa demo >new.log && sabo run demo --spacing 4 --duration 0.1 >run.log"
-      " && timeout --signal=INT 2 '" SABO_PROGRAM "' view demo-run --no-browser");
-  EXPECT_EQ(view.code, 124);  // that of timeout: it did not end by itself
+      " && { '" SABO_PROGRAM
+      "' view demo-run --no-browser >view.log & server=$!; }"
+      " && while kill -0 $server && ! grep -q http view.log; do sleep 0.05; done"
+      " && kill -0 $server && kill $server; cat view.log");
+  EXPECT_EQ(view.code, 0);
   EXPECT_THAT(view.text, HasSubstr("http://127.0.0.1:"));
 }
 

@@ -35,14 +35,15 @@ TEST(DamMesh, EnclosesTheWallAndItsNotch) {
   double lowest = 0;
   for (const Vec3d& vertex : mesh.vertices) lowest = std::min(lowest, vertex.z);
   EXPECT_DOUBLE_EQ(lowest, -2);
-  for (Vec3d& vertex : mesh.vertices) vertex.z += 2;  // the missing bottom adds nothing at 0
-  EXPECT_NEAR(volume(mesh), 375, 0.02);               // sides of the notch are 1 mm off
+  append(mesh, {{{-1.25, -10, -2}, {1.25, -10, -2}, {1.25, 10, -2}, {-1.25, 10, -2}},
+                {{0, 2, 1}, {0, 3, 2}}});  // the missing bottom
+  EXPECT_NEAR(volume(mesh), 375, 0.02);    // sides of the notch are 1 mm off
 }
 
-/// The example, a moment of it.
+/// A moment of the example.
 class View : public testing::Test {
  protected:
-  void SetUp() override {
+  View() {
     new_case("yohutagawa", folder_ / "case");
     run_ = run_to_end(
         folder_ / "case", folder_ / "run",
@@ -65,7 +66,7 @@ TEST_F(View, ARunWritesPageSceneFramesAndSurfaces) {
   EXPECT_THAT(text_of("index.html"), HasSubstr("view/index.html"));
 }
 
-TEST_F(View, IsMadeAgainFromTheFramesWhereItIsMissingOrOfAnotherVersion) {
+TEST_F(View, IsMadeAgainWhereItIsMissingOrOfAnotherVersionAndElseLeftAlone) {
   const std::string scene = text_of("view/scene.js"), frame = text_of("view/frame_00001.js");
   fs::remove_all(run_.folder / "view");
   EXPECT_EQ(view_of_run(run_.folder), run_.folder / "view");
@@ -76,17 +77,14 @@ TEST_F(View, IsMadeAgainFromTheFramesWhereItIsMissingOrOfAnotherVersion) {
   view_of_run(run_.folder);
   EXPECT_EQ(text_of("view/scene.js"), scene);
   EXPECT_FALSE(fs::exists(run_.folder / "view/frame_00077.js"));
-}
-
-TEST_F(View, IsLeftAloneWhereItIsThere) {
-  const std::string marked = text_of("view/scene.js") + "// mine";
-  folder_.write("run/view/scene.js", marked);
+  folder_.write("run/view/scene.js", scene + "// mine");
   view_of_run(run_.folder);
-  EXPECT_EQ(text_of("view/scene.js"), marked);
+  EXPECT_EQ(text_of("view/scene.js"), scene + "// mine");
 }
 
-TEST_F(View, AFolderThatIsNoRunIsRefused) {
-  const Fault fault = fault_of([&] { view_of_run(folder_ / "case"); });
+TEST(ViewOfRun, AFolderThatIsNoRunIsRefused) {
+  const TemporaryFolder folder;
+  const Fault fault = fault_of([&] { view_of_run(folder / ""); });
   EXPECT_THAT(fault.problem, HasSubstr("is not the folder of a run"));
 }
 
