@@ -7,6 +7,7 @@
 
 #include "analysis/zone.hpp"
 #include "base/error.hpp"
+#include "io/gis/read_vectors.hpp"
 #include "run/scene_bodies.hpp"
 #include "run/scene_lines.hpp"
 #include "run/scene_release.hpp"
@@ -72,6 +73,27 @@ void read_sections(const Case& c, Scene& scene, Faults& faults) {
   }
 }
 
+void add_gauges(const GaugeCase& gauge, const std::string& key, Scene& scene) {
+  std::vector<Vec3d> places;
+  if (gauge.place) places = {{(*gauge.place)[0], (*gauge.place)[1], 0}};
+  if (!gauge.file.empty()) places = read_points(gauge.file, scene.frame.crs, key + ".file");
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    Vec3d place = moved(scene.frame, places[k]);
+    const std::string name =
+        places.size() > 1 ? fmt::format("{} {}", gauge.name, k + 1) : gauge.name;
+    if (!scene.surface->inside(place.x, place.y))
+      throw CaseError(key, fmt::format("\"{}\" lies outside of the DEM", name),
+                      "check its coordinates, which are those of the DEM");
+    place.z = gauge.elevation.value_or(scene.surface->height(place.x, place.y));
+    scene.gauges.push_back({name, place});
+  }
+}
+
+void read_gauges(const Case& c, Scene& scene, Faults& faults) {
+  for (std::size_t k = 0; k < c.gauges.size(); ++k)
+    collected(faults, [&] { add_gauges(c.gauges[k], fmt::format("gauge[{}]", k + 1), scene); });
+}
+
 /// On level ground the front is measured along the axis on which it can go farthest.
 Polyline level_path(const Scene& scene) {
   const Grid& grid = scene.surface->elevation().grid;
@@ -107,6 +129,7 @@ Scene make_scene(const Case& c, Faults& faults) {
   read_structures(c, scene, faults);
   read_bodies(c, scene, faults);
   read_sections(c, scene, faults);
+  read_gauges(c, scene, faults);
   read_zones(c, scene, faults);
   const bool has_release =
       (c.release.dem_before.empty() || scene.lost) &&  // else its fault is known already

@@ -29,6 +29,11 @@ struct NamedZone {
   std::vector<Polygon> polygons;  ///< solver frame
 };
 
+struct NamedGauge {
+  std::string name;
+  Vec3d place;  ///< solver frame; z is where pressure is measured, m
+};
+
 /// An edit of the ground that was made.
 struct MadeEdit {
   EditReport report;
@@ -52,6 +57,7 @@ struct Scene {
   std::vector<CheckDam> dams;
   std::vector<Body> bodies;  ///< numbered after the dams, see Ground
   std::vector<NamedSection> sections;
+  std::vector<NamedGauge> gauges;
   std::vector<NamedZone> zones;
   Polyline path;                 ///< along the valley
   bool path_is_descent = false;  ///< not given, but found by steepest descent

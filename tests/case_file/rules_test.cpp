@@ -261,6 +261,17 @@ TEST(Rules, LinesHaveALength) {
                           "give a line of some length"));
 }
 
+TEST(Rules, GaugesHaveOnePlaceOrAFile) {
+  EXPECT_THAT(messages(smallest_case + "[[gauge]]\nplace = [1, 2]\n"), IsEmpty());
+  EXPECT_THAT(
+      messages(smallest_case + "[[gauge]]\nname = \"a\"\n"),
+      ElementsAre("case.toml:11 gauge[1]: has no place; give one of place = [x, y] and file"));
+  EXPECT_THAT(
+      messages(smallest_case + "[[gauge]]\nplace = [1, 2]\nfile = \"path.gpkg\"\n"),
+      ElementsAre("case.toml:11 gauge[1]: has a place and a file; give one of place = [x, y] "
+                  "and file"));
+}
+
 TEST(Rules, NamesAreUnique) {
   EXPECT_THAT(messages(smallest_case + "[[section]]\nname = \"a\"\nline = \"path.gpkg\"\n"
                                        "[[section]]\nname = \"a\"\nline = \"path.gpkg\"\n"),

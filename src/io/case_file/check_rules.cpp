@@ -354,6 +354,14 @@ void check_rules(const Case& c, Faults& faults) {
   for (std::size_t i = 0; i < c.sections.size(); ++i) {
     check_line(c.sections[i].line, fmt::format("section[{}].line", i + 1), faults);
   }
+  for (std::size_t i = 0; i < c.gauges.size(); ++i) {
+    const bool has_place = c.gauges[i].place.has_value(), has_file = !c.gauges[i].file.empty();
+    const std::string path = fmt::format("gauge[{}]", i + 1);
+    if (has_place != has_file || faults.has(path + ".place") || faults.has(path + ".file"))
+      continue;
+    faults.add(path, has_place ? "has a place and a file" : "has no place",
+               "give one of place = [x, y] and file");
+  }
   for (std::size_t i = 0; i < c.zones.size(); ++i) {
     check_polygon(c.zones[i].polygon, fmt::format("zone[{}].polygon", i + 1), faults);
   }
@@ -362,6 +370,7 @@ void check_rules(const Case& c, Faults& faults) {
   check_names(c.structures, "structure", faults);
   check_names(c.bodies, "body", faults);
   check_names(c.sections, "section", faults);
+  check_names(c.gauges, "gauge", faults);
   check_names(c.zones, "zone", faults);
   check_names(c.references, "reference", faults);
   check_concentration(c.material, faults);

@@ -197,6 +197,7 @@ Case read_text(std::string_view text, const FileContext& file,
   name_nameless(result.structures, "structure");
   name_nameless(result.bodies, "body");
   name_nameless(result.sections, "section");
+  name_nameless(result.gauges, "gauge");
   name_nameless(result.zones, "zone");
   name_nameless(result.terrain.edits, "edit");
   check_rules(result, file.faults);
