@@ -137,17 +137,15 @@ export class Controls {
   }
 
   get timeText() {
-    const { time, end, times } = this.viewer.player;
+    const { time, end } = this.viewer.player;
     const digits = end < 10 ? 2 : 1;
-    const isBetween = times.every((t) => Math.abs(t - time) > 1e-6 * end);
-    return text('timeValue', { time: time.toFixed(digits), end: end.toFixed(digits) }) +
-      (isBetween && this.viewer.player.isSmooth ? ` (${text('between')})` : '');
+    return text('timeValue', { time: time.toFixed(digits), end: end.toFixed(digits) });
   }
 
   showTime(isLoading) {
     const { player } = this.viewer;
     this.slider.value = player.time;
-    const shown = isLoading ? text('loading') : this.timeText.replace(/ \(.*/, '');
+    const shown = isLoading ? text('loading') : this.timeText;
     this.shownTime.textContent = shown;
     this.slider.setAttribute('aria-valuetext', shown);
     this.playButton.textContent = player.isPlaying ? '❚❚' : '▶';

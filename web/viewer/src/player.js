@@ -13,6 +13,11 @@ export class Player {
     this.isSmooth = true;
   }
 
+  /** Whether what is shown was filled in between two frames. */
+  get isBetween() {
+    return this.isSmooth && this.times.every((t) => Math.abs(t - this.time) > 1e-6 * this.end);
+  }
+
   toggle() {
     this.isPlaying = !this.isPlaying;
     if (this.isPlaying && this.time >= this.end) this.time = 0;

@@ -18,15 +18,18 @@ export class ValuesBox {
       className: 'card values', hidden: true, attributes: { 'aria-live': 'polite' },
     }, element('header', {}, this.heading, button('close', () => { this.set(null); onclose(); }, '×')),
     element('table', {}, this.rows));
+    this.remark = element('p', { className: 'about' });
+    this.element.append(this.remark);
     this.time = 0;
-    inLanguage(() => this.update(this.time));
+    this.isBetween = false;
+    inLanguage(() => this.update(this.time, this.isBetween));
   }
 
   /** A place of pick(), or null. */
   set(place) {
     this.place = place;
     this.element.hidden = !place;
-    this.update(this.time);
+    this.update(this.time, this.isBetween);
   }
 
   /** Where the place is now, for a mark: on the flow if there is some. */
@@ -36,8 +39,9 @@ export class ValuesBox {
     return { pane: this.pane, at: [this.x, this.y, (ground ?? 0) + (flow ? flow.height : 0)] };
   }
 
-  update(time) {
+  update(time, isBetween) {
     this.time = time;
+    this.isBetween = isBetween;
     if (!this.place) return;
     const { pane: clicked } = this.place.view;
     const [ox, oy] = clicked.run.scene.origin;
@@ -51,6 +55,8 @@ export class ValuesBox {
     [this.pane, this.x, this.y, this.found] = [clicked, here.x, here.y, here.found];
 
     this.heading.textContent = `${text('values')} ${text('atTime', { time: time.toFixed(1) })}`;
+    this.remark.textContent = text('between');
+    this.remark.hidden = !isBetween;
     const row = (key, unit, cells) => element('tr', {},
       element('th', { textContent: text(key), scope: 'row' }),
       ...cells.map((cell) => element('td', { textContent: cell })),

@@ -97,7 +97,7 @@ export class Viewer {
       run.lookAhead(time, 3);
       return isShown;
     }).every(Boolean);
-    this.values.update(time);
+    this.values.update(time, this.player.isBetween);
     this.labels.mark(this.values.mark);
     this.controls.showTime(!isThere);
     this.stage.isDue = true;
@@ -108,7 +108,8 @@ export class Viewer {
     const { scene } = this.runs[0];
     return savePicture({
       stage: this.stage, labels: this.labels, legend: this.legend,
-      lines: [scene.title, scene.note, this.controls.timeText, scene.program],
+      lines: [scene.title, scene.note, this.controls.timeText,
+        this.player.isBetween && text('between'), scene.program],
       name: `sabo_${this.legend.key}_${this.player.time.toFixed(1)}s.png`,
     });
   }
