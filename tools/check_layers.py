@@ -29,6 +29,7 @@ LAYERS = {
     "io/mesh": 6,
     "io/case_file": 6,
     "io/output": 6,
+    "io/web": 6,
     "run": 7,
     "post": 7,
     "bench": 7,
@@ -44,6 +45,7 @@ SIBLINGS = {
     "backend/cuda": {"backend"},
     "io/output": {"io/gis", "analysis"},
     "post": {"run"},
+    "io/web": {"io/output"},
     "bench": {"run"},
     "verify": {"run"},
 }

@@ -25,6 +25,7 @@ void add_plot_command(CLI::App& program, Action& action);
 void add_compare_command(CLI::App& program, Action& action);
 void add_hazard_command(CLI::App& program, Action& action);
 void add_export_command(CLI::App& program, Action& action);
+void add_view_command(CLI::App& program, Action& action);
 void add_info_command(CLI::App& program, Action& action);
 void add_models_command(CLI::App& program, Action& action);
 void add_bench_command(CLI::App& program, Action& action);

@@ -24,6 +24,7 @@ constexpr const char* examples = R"(Examples:
   sabo run demo --spacing 1.5 --duration 60  run it, coarser and shorter than it says
   sabo study demo --spacings 4,3,2.2         run it at each spacing: what hangs on it
   sabo plot demo-run --times 10,30,60        draw the flow at these times
+  sabo view demo-run                         the flow in 3D, in a browser
   sabo info demo-run                         what came out
   sabo compare with-dam without-dam          what a dam changes
   sabo hazard demo-run --rules japan         classes by rules that you can change
@@ -44,6 +45,7 @@ void describe_program(CLI::App& program, Action& action) {
   add_compare_command(program, action);
   add_hazard_command(program, action);
   add_export_command(program, action);
+  add_view_command(program, action);
   add_info_command(program, action);
   add_models_command(program, action);
   add_bench_command(program, action);

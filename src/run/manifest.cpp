@@ -235,6 +235,7 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
   page.details = {parameter_table(c), pass_table(facts.passes)};
   page.pictures = std::move(pictures);
   page.files = {
+      {"view/index.html", "the run in 3D, in this browser"},
       {"case.toml", "the case with every default"},
       {"manifest.toml", "version, times, volumes, passes of the solver, checksums of the inputs"},
       {"maps/dep.tif", "depth at the end, m"},
@@ -254,6 +255,7 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"series/rest.csv", "moving volume, kinetic energy over its peak, creep"},
       {"series/solver.csv", "time step, speeds, density range, particle counts"},
       {"frames/flow.pvd", "particles as a time series for ParaView"},
+      {"frames/surface.pvd", "surface of the flow as a time series for ParaView"},
       {"frames/ground.vtp", "the ground for ParaView"}};
   if (!c.bodies.empty()) page.files.push_back({"frames/bodies.vtp", "the bodies for ParaView"});
   if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});

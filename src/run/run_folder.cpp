@@ -26,7 +26,8 @@ RunFolder::RunFolder(std::filesystem::path folder, bool overwrite) : root_(std::
       throw CaseError(root_.string(), "holds a run already",
                       "choose another folder with -o, or say --overwrite");
     if (is_run)
-      for (const fs::path& part : {maps(), series(), frames(), pictures(), index(), states()})
+      for (const fs::path& part :
+           {maps(), series(), frames(), pictures(), view(), index(), states()})
         fs::remove_all(part, error);
     for (const char* made : {"compare", "observed", "hazard", "export"})  // of the run before
       if (is_run && fs::exists(root_ / made / "result.toml", error))

@@ -14,6 +14,7 @@
 #include "run/recorder.hpp"
 #include "run/rest_text.hpp"
 #include "run/run_folder.hpp"
+#include "run/view.hpp"
 
 namespace sabo {
 namespace {
@@ -146,6 +147,7 @@ class Simulation {
                                                                    std::move(pictures))));
       result.index = folder_.index();
     });
+    attempt([&] { write_from_frames(folder_.root(), case_, scene_); });
     attempt([&] { write_manifest(facts_, case_, scene_, rows, folder_); });
     result.end = facts_.end;
     result.reason = facts_.reason;

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "io/gis/gdal_errors.hpp"
+#include "io/output/base64.hpp"
 
 namespace sabo {
 
@@ -44,11 +45,7 @@ std::string png_of(const Image& image) {
 }
 
 std::string data_url_of_png(const std::string& png) {
-  char* text =
-      CPLBase64Encode(static_cast<int>(png.size()), reinterpret_cast<const GByte*>(png.data()));
-  std::string url = std::string("data:image/png;base64,") + text;
-  CPLFree(text);
-  return url;
+  return "data:image/png;base64," + base64_of(std::as_bytes(std::span(png)));
 }
 
 }  // namespace sabo
