@@ -1,5 +1,6 @@
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "support/temporary_folder.hpp"
 #include <gmock/gmock.h>
@@ -13,7 +14,7 @@
 namespace sabo {
 namespace {
 
-constexpr double pool_length = 1.2, pool_depth = 0.5, dam_middle = 1.4;  // m
+constexpr double pool_depth = 0.5, dam_middle = 1.4;  // m
 
 /// Openings as tables after that of the dam.
 std::string dam_with(const std::string& openings) {
@@ -26,8 +27,9 @@ const std::string slit = "[[structure.slit]]\ncentre = 0.6\nwidth = 0.4\n";
 /// Two gaps of 0.4 m beside a post of 0.2 m.
 const std::string grid = "[[structure.grid]]\nfrom = 0\nto = 1.2\ngap = 0.4\npost_width = 0.2\n";
 
-/// The water after some time (s).
-Particles water_after(double time, const std::string& structures, const char* backend) {
+/// The water at some times (s), in the coordinates of the case.
+std::vector<Particles> water_at(const std::vector<double>& times, const std::string& structures,
+                                const char* backend) {
   const TemporaryFolder folder;
   Faults faults;
   const Case c = read_case_text(
@@ -40,11 +42,15 @@ Particles water_after(double time, const std::string& structures, const char* ba
       folder / "", faults);
   const Scene scene = make_scene(c, faults);
   for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
-  if (!faults.empty()) return {};
+  std::vector<Particles> states(times.size());
+  if (!faults.empty()) return states;
   Flow flow(c, scene);
-  flow.stepper().advance_to(time);
-  flow.domain().update(flow.backend().fluid(), flow.backend().boundary(), 0.3);
-  return flow.backend().fluid();
+  for (std::size_t k = 0; k < times.size(); ++k) {
+    flow.stepper().advance_to(times[k]);
+    states[k] = flow.backend().fluid();
+    for (Vec3d& x : states[k].position) x += Vec3d{scene.frame.origin_x, scene.frame.origin_y, 0};
+  }
+  return states;
 }
 
 /// Volume beyond the middle of the dam, m3.
@@ -55,41 +61,49 @@ double passed(const Particles& water) {
   return mass / 1000;
 }
 
-/// By critical flow through a width b: Q = (2/3)^1.5 sqrt(g) b H^1.5 out of a pool that sinks,
-/// whose depth is H = H0/(1 + k t)^2 then.
-double ideal_passed(double width, double time) {
-  const double rate = std::pow(2.0 / 3, 1.5) * std::sqrt(9.81) * width / (pool_length * 1.2);
-  const double depth = pool_depth / std::pow(1 + rate * std::sqrt(pool_depth) / 2 * time, 2);
-  return pool_length * 1.2 * (pool_depth - depth);
+/// What flows through openings between two times once it flows freely, over the critical flow
+/// Q = (2/3)^1.5 sqrt(g) b H^1.5 through their whole width b at the mean depth H of the pool.
+double discharge_coefficient(const std::string& openings, double width) {
+  constexpr double first = 0.3, last = 0.7;  // s
+  const std::vector<Particles> states = water_at({first, last}, dam_with(openings), "cpu");
+  const double before = passed(states[0]), after = passed(states[1]);
+  const double depth = pool_depth - (before + after) / 2 / (dam_middle * 1.2);
+  const double critical = std::pow(2.0 / 3, 1.5) * std::sqrt(9.81) * width * std::pow(depth, 1.5);
+  return (after - before) / (last - first) / critical;
 }
 
-TEST(StructuresRun, ADamHoldsWhatASlitLetsThroughAndAGridLetsThroughMore) {
-  EXPECT_EQ(passed(water_after(0.8, dam_with(""), "cpu")), 0);
-  const double by_slit = passed(water_after(0.8, dam_with(slit), "cpu"));
-  const double by_grid = passed(water_after(0.8, dam_with(grid), "cpu"));
-  EXPECT_NEAR(by_slit / ideal_passed(0.4, 0.8), 1, 0.3);
-  EXPECT_NEAR(by_grid / ideal_passed(0.8, 0.8), 1, 0.3);
-  EXPECT_GT(by_grid, 1.5 * by_slit);
+TEST(StructuresRun, AClosedDamHoldsTheWater) {
+  EXPECT_EQ(passed(water_at({0.7}, dam_with(""), "cpu").back()), 0);
+}
+
+TEST(StructuresRun, OpeningsLetThroughWhatTheirWidthLetsThrough) {
+  const double of_slit = discharge_coefficient(slit, 0.4);
+  const double of_grid = discharge_coefficient(grid, 0.8);
+  // Critical flow is the most that a width lets through; contraction and friction take off up to
+  // four tenths, as at the sharpest orifice.
+  for (const double coefficient : {of_slit, of_grid}) {
+    EXPECT_GT(coefficient, 0.6);
+    EXPECT_LT(coefficient, 1);
+  }
 }
 
 TEST(StructuresRun, TheReferenceBackendLetsThroughAsMuch) {
-  const double cpu = passed(water_after(0.3, dam_with(slit), "cpu"));
+  const double cpu = passed(water_at({0.3}, dam_with(slit), "cpu").back());
   EXPECT_GT(cpu, 0.01);
-  EXPECT_NEAR(passed(water_after(0.3, dam_with(slit), "reference")), cpu, 0.003);
-  EXPECT_EQ(passed(water_after(0.2, dam_with(""), "reference")), 0);
+  EXPECT_NEAR(passed(water_at({0.3}, dam_with(slit), "reference").back()), cpu, 0.003);
 }
 
 TEST(StructuresRun, AHouseStaysDryInside) {
   // Across half of the way, and one of six corners.
-  const Particles water = water_after(
-      0.8,
+  const std::vector<Particles> states = water_at(
+      {0.8},
       "[[structure]]\nkind = \"building\"\nheight = 2\npolygon = [[1.5, 0.4], [2.1, 0.4], "
       "[2.1, 1.0], [1.5, 1.0]]\n"
       "[[structure]]\nkind = \"building\"\nheight = 2\npolygon = [[2.4, 0], [2.8, 0], [2.8, 0.8], "
       "[2.6, 0.8], [2.6, 0.4], [2.4, 0.4]]\n",
       "cpu");
   double farthest = 0;
-  for (const Vec3d& x : water.position) {
+  for (const Vec3d& x : states.back().position) {
     farthest = std::max(farthest, x.x);
     const bool is_in_first = x.x > 1.51 && x.x < 2.09 && x.y > 0.41 && x.y < 0.99;
     const bool is_in_second = x.x > 2.61 && x.x < 2.79 && x.y < 0.79;

@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "support/folders.hpp"
 #include "support/temporary_folder.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -90,11 +91,17 @@ sill_elevation = 3
 
 TEST(StructuresScene, AsManyGapsAsFitStandInTheMiddleOfAGrid) {
   // Gaps of 2 m and posts of 1 m: 4 x 2 + 3 x 1 = 11 of 12 m.
-  const GridLayout layout = grid_layout({.from = 4, .to = 16, .gap = 2, .post_width = 1});
+  GridCase twelve;
+  twelve.from = 4;
+  twelve.to = 16;
+  twelve.gap = 2;
+  twelve.post_width = 1;
+  const GridLayout layout = grid_layout(twelve);
   EXPECT_EQ(layout.gaps, 4);
   EXPECT_NEAR(layout.from(0), 4.5, 1e-12);
   EXPECT_NEAR(layout.from(3) + 2, 15.5, 1e-12);
-  EXPECT_EQ(grid_layout({.from = 4, .to = 15, .gap = 2, .post_width = 1}).gaps, 4);
+  twelve.to = 15;
+  EXPECT_EQ(grid_layout(twelve).gaps, 4);
 
   SlopeWorld world;
   const Scene scene =
@@ -200,10 +207,12 @@ TEST(StructuresScene, BadBuildingsAreFaults) {
               HasSubstr("has a building, number 2, with h = -1; give a height above 0"));
   EXPECT_THAT(fault(with(two_houses, "\"h\": 6.5", "\"h\": null"), houses()),
               HasSubstr("has a feature without a value of \"h\""));
-  EXPECT_THAT(fault(with(two_houses, "[36, 5], [40, 5]", "[35, 5], [40, 5]"), houses()),
+  EXPECT_THAT(fault(with(two_houses, "[[[36, 5], [40, 5], [40, 9], [36, 9], [36, 5]]]",
+                         "[[[35, 5], [40, 5], [40, 9], [36, 9], [35, 5]]]"),
+                    houses()),
               HasSubstr("\"house 1\" and \"house 2\" overlap by 2 m2"));
   EXPECT_THAT(
-      fault(with(two_houses, "[36, 5], [36, 9], [30, 9]", "[30, 9], [36, 9], [36, 5]"), houses()),
+      fault(with(two_houses, "[36, 5], [36, 9], [30, 9]", "[36, 9], [36, 5], [30, 9]"), houses()),
       HasSubstr("has an invalid polygon"));
   EXPECT_THAT(fault(with(two_houses, "[40, 5], [40, 9]", "[70, 5], [70, 9]"), houses()),
               HasSubstr("\"house 2\" has a corner outside the DEM at (70.00, 5.00)"));
@@ -248,6 +257,17 @@ TEST(StructuresScene, MapsShowTheGapsOfADam) {
   EXPECT_NEAR(pieces[0].line.vertices.back().y, 17, 1e-9);
   EXPECT_NEAR(pieces[1].line.vertices.front().y, 19, 1e-9);
   EXPECT_NEAR(pieces[1].line.vertices.back().y, 30, 1e-9);
+}
+
+TEST(StructuresExamples, AreSound) {
+  for (const char* name : {"slit-dam", "houses"}) {
+    Faults faults;
+    const Case c = read_case(repository() / "examples" / name, faults);
+    const Scene scene = make_scene(c, faults);
+    for (const Fault& fault : faults.list()) ADD_FAILURE() << name << ": " << to_string(fault);
+    EXPECT_EQ(scene.release_left_out, 0) << name;
+    EXPECT_THAT(preview_text(c, scene), Not(HasSubstr("particles; what passes"))) << name;
+  }
 }
 
 }  // namespace
