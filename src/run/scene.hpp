@@ -50,9 +50,9 @@ struct Scene {
   std::vector<std::string> dem_notes;  ///< what was done to the DEM when it was read
   HoleReport holes;
   std::vector<MadeEdit> edits;
-  std::optional<LostGround> lost;  ///< of a release by a pair of DEMs
-  std::vector<CheckDam> dams;      ///< check dams first, then deflection walls
-  std::size_t check_dam_count = 0;
+  std::optional<LostGround> lost;    ///< of a release by a pair of DEMs
+  std::vector<CheckDam> dams;        ///< check dams first, then deflection walls
+  std::size_t deflection_walls = 0;  ///< how many of them
   std::vector<Body> bodies;         ///< numbered after the dams, see Ground; buildings are the last
   std::vector<Building> buildings;  ///< of those bodies
   std::vector<NamedSection> sections;
@@ -66,7 +66,9 @@ struct Scene {
   Vec3d release_centre;
 
   /// Those that hold back the flow, so that it is asked what they trap.
-  std::span<const CheckDam> check_dams() const { return {dams.data(), check_dam_count}; }
+  std::span<const CheckDam> check_dams() const {
+    return std::span(dams).first(dams.size() - deflection_walls);
+  }
 };
 
 /// Reads everything a case names. Faults are added, all that can be found at once; the scene is of

@@ -46,8 +46,10 @@ std::vector<double> crest_along(const CheckDam& wall, const Surface& surface, do
   return profile;
 }
 
+/// A notch may be too narrow: the dam is overtopped beside it.
 void refuse_narrow_openings(const StructureCase& c, const std::string& key, double spacing) {
   for (const ClearWidth& clear : clear_widths(c)) {
+    if (clear.key.starts_with("notch")) continue;
     if (clear.width >= enough_across / 2 * spacing * (1 - 1e-9)) continue;
     throw CaseError(fmt::format("{}.{}", key, clear.key),
                     fmt::format("{:g} m is less than {:g} particle spacings of {:g} m, so that "
@@ -180,7 +182,7 @@ void read_structures(const Case& c, Scene& scene, Faults& faults) {
       collected(faults, [&] {
         if (kind == StructureKind::building) return add_buildings(structure, key, scene);
         scene.dams.push_back(make_dam(structure, key, scene, c.numerics.spacing));
-        if (kind == StructureKind::check_dam) ++scene.check_dam_count;
+        if (kind == StructureKind::deflection_wall) ++scene.deflection_walls;
       });
     }
   }

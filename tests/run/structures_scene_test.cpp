@@ -163,7 +163,7 @@ TEST(StructuresScene, ADeflectionWallFollowsTheGround) {
       dam);
   ASSERT_THAT(world.messages(), IsEmpty());
   ASSERT_EQ(scene.dams.size(), 2u);
-  EXPECT_EQ(scene.check_dam_count, 1u);
+  EXPECT_EQ(scene.check_dams().size(), 1u);
   EXPECT_EQ(scene.dams[0].name, "dam");  // check dams are the first
   const CheckDam& wall = scene.dams[1];
   for (const double x : {21.3, 35.0, 49.9}) EXPECT_NEAR(wall.top(x - 20), 0.1 * (60 - x) + 3, 1e-9);
