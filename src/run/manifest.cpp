@@ -28,7 +28,7 @@ const char* verb_of(RunEnd end) {
 std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
   std::string text = fmt::format("released = {:.9g}\noutflow = {:.9g}\nput_back = {}\n",
                                  row.released, row.outflow, row.put_back);
-  if (dam < scene.dams.size())
+  if (dam < scene.check_dams().size())
     text += fmt::format("dam = {}\ntrapped = {:.9g}\nbeyond = {:.9g}\n",
                         toml_string(scene.dams[dam].name), row.trapped, row.beyond);
   return text;

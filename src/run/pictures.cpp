@@ -149,7 +149,7 @@ void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& 
           "(series/discharge.csv)");
 
   std::vector<ChartSeries> volumes;
-  for (std::size_t k = 0; k < scene.dams.size(); ++k) {
+  for (std::size_t k = 0; k < scene.check_dams().size(); ++k) {
     const std::string& dam = scene.dams[k].name;
     volumes.push_back(series_of(rows, "trapped by " + dam,
                                 [k](const SeriesRow& row) { return row.volumes[k].trapped; }));

@@ -20,7 +20,7 @@ std::vector<std::string> discharge_header(const Scene& scene) {
 
 std::vector<std::string> volumes_header(const Scene& scene) {
   std::vector<std::string> header{"time [s]", "released [m3]", "outflow [m3]", "put back [count]"};
-  for (const CheckDam& dam : scene.dams) {
+  for (const CheckDam& dam : scene.check_dams()) {
     header.push_back(dam.name + " trapped [m3]");
     header.push_back(dam.name + " beyond [m3]");
   }
@@ -40,7 +40,7 @@ std::vector<std::string> zones_header(const Scene& scene) {
 
 std::vector<VolumeLedger> make_ledgers(const Case& c, const Scene& scene) {
   std::vector<VolumeLedger> ledgers;
-  for (const CheckDam& dam : scene.dams)
+  for (const CheckDam& dam : scene.check_dams())
     ledgers.emplace_back(c.material.density, dam.axis, scene.release_centre);
   if (ledgers.empty()) ledgers.emplace_back(c.material.density);
   for (VolumeLedger& ledger : ledgers) ledger.release(scene.release);
@@ -62,7 +62,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       maps_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
       sampling_distance_(std::max({scene.surface->elevation().grid.dx,
                                    scene.surface->elevation().grid.dy, c.numerics.spacing})),
-      has_dams_(!scene.dams.empty()),
+      has_dams_(!scene.check_dams().empty()),
       has_dynamic_walls_(c.numerics.method == Method::paper),
       front_csv_(folder.series() / "front.csv",
                  {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),

@@ -27,7 +27,7 @@ struct SeriesRow {
   double time = 0;
   FrontRow front;
   std::vector<double> discharge;   ///< net, mean since the row before, m3/s
-  std::vector<VolumeRow> volumes;  ///< one entry per dam, or one alone without a dam
+  std::vector<VolumeRow> volumes;  ///< one entry per check dam, or one alone without
   std::vector<ZoneDepth> zones;    ///< one entry per zone
   std::vector<LoadRow> loads;      ///< one entry per structure, then per body
   Energy energy;

@@ -1,6 +1,10 @@
 #include "run/scene.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
@@ -11,43 +15,12 @@
 #include "run/scene_bodies.hpp"
 #include "run/scene_lines.hpp"
 #include "run/scene_release.hpp"
+#include "run/scene_structures.hpp"
 #include "run/scene_terrain.hpp"
 #include "terrain/steepest_descent.hpp"
 
 namespace sabo {
 namespace {
-
-CheckDam make_dam(const StructureCase& c, const std::string& key, const Scene& scene) {
-  CheckDam dam;
-  dam.name = c.name;
-  dam.axis = read_line(c.line, key + ".line", scene.frame);
-  dam.thickness = c.thickness;
-  if (c.notch)
-    dam.notch = Notch{c.notch->centre, c.notch->width, c.notch->depth, c.notch->side_slope};
-  if (c.crest || c.height) dam.axis.has_z = false;
-  if (c.crest) dam.crest = *c.crest;
-  if (!c.crest && !c.height && !dam.axis.has_z)
-    throw CaseError(key, "the line has no z, and neither crest nor height is given",
-                    "give crest (elevation, m) or height (above the lowest ground, m)");
-  if (c.height) {
-    const double span = length(dam.axis);
-    const int samples = std::max(2, static_cast<int>(span / scene.surface->elevation().grid.dx));
-    double lowest = scene.surface->height(dam.axis.vertices[0].x, dam.axis.vertices[0].y);
-    for (int k = 1; k <= samples; ++k) {
-      const Vec3d at = point_at(dam.axis, span * k / samples);
-      lowest = std::min(lowest, scene.surface->height(at.x, at.y));
-    }
-    dam.crest = lowest + *c.height;
-  }
-  return dam;
-}
-
-void read_structures(const Case& c, Scene& scene, Faults& faults) {
-  for (std::size_t k = 0; k < c.structures.size(); ++k) {
-    const std::string key = fmt::format("structure[{}]", k + 1);
-    collected(faults, [&] { scene.dams.push_back(make_dam(c.structures[k], key, scene)); });
-  }
-}
 
 void read_zones(const Case& c, Scene& scene, Faults& faults) {
   for (std::size_t k = 0; k < c.zones.size(); ++k) {
@@ -94,6 +67,21 @@ void read_gauges(const Case& c, Scene& scene, Faults& faults) {
     collected(faults, [&] { add_gauges(c.gauges[k], fmt::format("gauge[{}]", k + 1), scene); });
 }
 
+/// Every dam and body has a name of its own, under which the outputs have it.
+void check_names(const Scene& scene, Faults& faults) {
+  std::set<std::string> names;
+  const auto check = [&](const std::string& name) {
+    if (names.insert(name).second) return;
+    faults.add("structure", fmt::format("\"{}\" is the name of two structures or bodies", name),
+               "give each its own name; several buildings of one file get a number behind it");
+  };
+  for (const CheckDam& dam : scene.dams) check(dam.name);
+  for (const Body& body : scene.bodies) check(body.name());
+  if (names.size() > std::numeric_limits<std::uint16_t>::max())  // of Particles::body
+    faults.add("structure", fmt::format("there are {} structures and bodies", names.size()),
+               "leave out those that the flow does not reach");
+}
+
 /// On level ground the front is measured along the axis on which it can go farthest.
 Polyline level_path(const Scene& scene) {
   const Grid& grid = scene.surface->elevation().grid;
@@ -128,6 +116,7 @@ Scene make_scene(const Case& c, Faults& faults) {
   if (!scene.surface) return scene;
   read_structures(c, scene, faults);
   read_bodies(c, scene, faults);
+  if (faults.empty()) check_names(scene, faults);
   read_sections(c, scene, faults);
   read_gauges(c, scene, faults);
   read_zones(c, scene, faults);

@@ -16,6 +16,7 @@
 #include "run/overlay.hpp"
 #include "run/read_frames.hpp"
 #include "run/scene_bodies.hpp"
+#include "run/scene_structures.hpp"
 
 namespace sabo {
 namespace {
@@ -113,10 +114,11 @@ class StatePictures {
     picture.threshold = wet_depth_;
     picture.top = tops_[k];
     picture.view = view_;
-    for (const CheckDam& dam : scene_.dams) picture.walls.push_back(scene_wall(dam));
+    for (const CheckDam& dam : scene_.dams)
+      picture.bodies.push_back({dam.name, shown_mesh(dam, scene_)});
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
       picture.bodies.push_back(
-          {scene_.bodies[b].name(), shown_mesh(case_.bodies[b], scene_.bodies[b], scene_)});
+          {label_of_body(scene_, b), shown_mesh(case_, b, scene_), is_shown_solid(case_, b)});
     picture.lines = overlay(scene_);
     std::erase_if(picture.lines,
                   [](const MapLine& line) { return line.kind == MapLine::Kind::dam; });  // walls

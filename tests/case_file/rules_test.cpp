@@ -225,7 +225,7 @@ TEST(Rules, ConcentrationAndViscosityAgree) {
 TEST(Rules, KindOfStructure) {
   EXPECT_THAT(dam("line = \"dam.gpkg\"\nkind = \"net\"\n"),
               ElementsAre("case.toml:14 structure[1].kind: \"net\" is not known; "
-                          "give \"check_dam\""));
+                          "give \"check_dam\", \"deflection_wall\" or \"building\""));
 }
 
 TEST(Rules, DamHasOneCrest) {

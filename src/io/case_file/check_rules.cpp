@@ -7,6 +7,7 @@
 #include "io/case_file/check_bodies.hpp"
 #include "io/case_file/check_observed.hpp"
 #include "io/case_file/check_parts.hpp"
+#include "io/case_file/check_structures.hpp"
 #include "io/case_file/key_text.hpp"
 #include "physics/viscosity_of_concentration.hpp"
 
@@ -181,32 +182,6 @@ void check_release(const ReleaseCase& release, Faults& faults) {
   }
 }
 
-void check_crest(const StructureCase& dam, const std::string& path, Faults& faults) {
-  const bool crest = dam.crest || faults.has(path + ".crest");
-  const bool height = dam.height || faults.has(path + ".height");
-  if (crest && height) {
-    faults.add(path, "has a crest and a height", "give one of the two");
-  } else if (dam.line.has_z && (crest || height)) {
-    faults.add(path + (crest ? ".crest" : ".height"), "the z of the line is the crest already",
-               "remove one of the two");
-  } else if (!dam.line.coordinates.empty() && !dam.line.has_z && !crest && !height) {
-    faults.add(path, "has no crest", "give crest, height, or a line with z");
-  }
-}
-
-void check_notch(const StructureCase& dam, const std::string& path, Faults& faults) {
-  if (!dam.notch) return;
-  if (dam.height && dam.notch->depth > *dam.height) {
-    faults.add(path + ".notch.depth", "the notch is deeper than the dam is high",
-               fmt::format("give at most {} m", short_text(*dam.height)));
-  }
-  const double length = plan_length(dam.line);
-  if (length > 0 && dam.notch->centre > length) {
-    faults.add(path + ".notch.centre", "lies beyond the end of the line",
-               fmt::format("give a distance along the line, at most {} m", short_text(length)));
-  }
-}
-
 /// A concentration stands for a viscosity; where both are given they must agree.
 void check_concentration(const MaterialCase& material, Faults& faults) {
   const std::string key = "material.concentration";
@@ -306,12 +281,7 @@ void check_rules(const Case& c, Faults& faults) {
     check_edit(c.terrain.edits[i], fmt::format("terrain.edit[{}]", i + 1), faults);
   }
   check_release(c.release, faults);
-  for (std::size_t i = 0; i < c.structures.size(); ++i) {
-    const std::string path = fmt::format("structure[{}]", i + 1);
-    check_line(c.structures[i].line, path + ".line", faults);
-    check_crest(c.structures[i], path, faults);
-    check_notch(c.structures[i], path, faults);
-  }
+  check_structures(c.structures, faults);
   check_bodies(c.bodies, faults);
   for (std::size_t i = 0; i < c.sections.size(); ++i) {
     check_line(c.sections[i].line, fmt::format("section[{}].line", i + 1), faults);

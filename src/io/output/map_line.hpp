@@ -12,6 +12,7 @@ struct MapLine {
   Kind kind = Kind::path;
   std::string label = {};  ///< "" for none
   Polyline line = {};
+  bool is_filled = false;  ///< on maps, as what is solid within a closed line
 };
 
 /// How a line is drawn; `dashes` is an attribute of SVG or "".

@@ -21,7 +21,8 @@ constexpr double scale_width = 260;    // px, of scale bar and north arrow besid
 constexpr double margin = 20;          // px
 constexpr double note_size = 13;       // px
 constexpr double note_line = 20;       // px
-constexpr double max_pixels = 1.5e6;   // of the embedded picture
+constexpr const char* solid_colour = "#d9c5c0";
+constexpr double max_pixels = 1.5e6;  // of the embedded picture
 
 // Where things stand on the picture.
 struct Layout {
@@ -161,9 +162,9 @@ std::string draw_lines(const MapPicture& map, const Layout& layout) {
     const LineStyle style = style_of(line.kind);
     const auto polyline = [&](const char* colour, double width, const char* dashes) {
       return fmt::format(
-          "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{} "
+          "<polyline points=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{} "
           "stroke-linejoin=\"round\"/>\n",
-          points, colour, width, dashes);
+          points, line.is_filled ? solid_colour : "none", colour, width, dashes);
     };
     shapes += polyline("#ffffff", style.width + 2, "");
     shapes += polyline(style.colour, style.width, style.dashes);
