@@ -20,6 +20,7 @@ void add_new_command(CLI::App& program, Action& action);
 void add_check_command(CLI::App& program, Action& action);
 void add_run_command(CLI::App& program, Action& action);
 void add_study_command(CLI::App& program, Action& action);
+void add_sweep_command(CLI::App& program, Action& action);
 void add_plot_command(CLI::App& program, Action& action);
 void add_view_command(CLI::App& program, Action& action);
 void add_info_command(CLI::App& program, Action& action);

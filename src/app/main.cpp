@@ -38,6 +38,7 @@ void describe_program(CLI::App& program, Action& action) {
   add_check_command(program, action);
   add_run_command(program, action);
   add_study_command(program, action);
+  add_sweep_command(program, action);
   add_plot_command(program, action);
   add_view_command(program, action);
   add_info_command(program, action);

@@ -1,4 +1,4 @@
-#include "run/study_record.hpp"
+#include "run/batch_record.hpp"
 
 #include <string_view>
 #include <variant>
@@ -56,7 +56,7 @@ bool is_case_of(const std::filesystem::path& folder, const Case& c) {
 
 }  // namespace
 
-std::optional<StudyRecord> finished_record(const std::filesystem::path& folder, const Case& c) {
+std::optional<BatchRecord> finished_record(const std::filesystem::path& folder, const Case& c) {
   const auto text = read_file(folder / "manifest.toml", max_manifest);
   if (!text) return std::nullopt;
   Faults faults;
@@ -66,7 +66,7 @@ std::optional<StudyRecord> finished_record(const std::filesystem::path& folder, 
   if (!run.says("end", "finished") || !run.says("version", build_version)) return std::nullopt;
   if (!text->ends_with(input_checksums(c)) || !is_case_of(folder, c)) return std::nullopt;
 
-  StudyRecord record;
+  BatchRecord record;
   record.spacing = c.numerics.spacing;
   record.simulated = run.number("simulated_s");
   record.wall = run.number("wall_s");

@@ -10,11 +10,11 @@
 
 namespace sabo {
 
-/// What a study needs of a finished run, from its manifest.
-struct StudyRecord {
+/// What a study or a sweep needs of a finished run, from its manifest.
+struct BatchRecord {
   double spacing = 0;    ///< m
   int member = 0;        ///< from 1; 0 when the starts are not jittered
-  std::string folder;    ///< below that of the study
+  std::string folder;    ///< below that of the batch
   double simulated = 0;  ///< s
   double wall = 0;       ///< s
   double particles = 0;
@@ -26,6 +26,6 @@ struct StudyRecord {
 
 /// The record of the finished run in a folder; nothing when there is none, or when it is of another
 /// case (the number of threads apart), of other inputs or by another version of the program.
-std::optional<StudyRecord> finished_record(const std::filesystem::path& folder, const Case& c);
+std::optional<BatchRecord> finished_record(const std::filesystem::path& folder, const Case& c);
 
 }  // namespace sabo
