@@ -1,6 +1,6 @@
 # Short names for the usual commands. CMakePresets.json is underneath.
 .POSIX:
-.PHONY: help build demo test bench docs validation study asan format tidy
+.PHONY: help build demo test bench web docs validation study asan format tidy
 
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
@@ -12,6 +12,7 @@ help:
 	@echo 'make demo     build, then run the example: a debris flow meets a check dam'
 	@echo 'make test     build, then run all checks and tests'
 	@echo 'make bench    measure the speed on this machine: the program, then its parts'
+	@echo 'make web      rebuild the pages of web/, which the program holds (npm)'
 	@echo 'make docs     rewrite the keys in docs/ from their descriptions, and the figures of the laws'
 	@echo 'make validation  an hour or two: run all cases with a known outcome, rewrite docs/validation.md'
 	@echo 'make study    hours: run the example in all variants, rewrite the table of docs/yohutagawa.md'
@@ -50,6 +51,10 @@ validation: build
 	rm -f docs/images/validation/*.svg
 	cp build/validation/*.svg docs/images/validation/
 	sed 's|](\./|](images/validation/|' build/validation/validation.md > docs/validation.md
+
+web:
+	@sh tools/install_packages.sh
+	sh tools/build_web.sh
 
 docs:
 	@sh tools/install_packages.sh

@@ -8,10 +8,18 @@ if ! command -v dpkg-query >/dev/null 2>&1; then
   exit 0
 fi
 
+# Whether a package is installed, or another one that stands in for it (nodejs of other sources
+# brings npm along).
+is_there() {
+  status=$(dpkg-query -W -f '${db:Status-Status}' "$1" 2>/dev/null || true)
+  [ "$status" = installed ] && return 0
+  dpkg-query -W -f '${db:Status-Status} ${Provides}\n' | sed -n 's/^installed //p' |
+    tr -d ' ' | tr ',' '\n' | sed 's/(.*//' | grep -qxF "$1"
+}
+
 missing=
 for package in $(sed 's/#.*//' "$list"); do
-  status=$(dpkg-query -W -f '${db:Status-Status}' "$package" 2>/dev/null || true)
-  [ "$status" = installed ] || missing="$missing $package"
+  is_there "$package" || missing="$missing $package"
 done
 [ -n "$missing" ] || exit 0
 

@@ -10,6 +10,8 @@ FlowMaps::FlowMaps(const Raster& elevation, double spacing, double reference_den
       peak_depth_(elevation.values.size()),
       peak_speed_(elevation.values.size()),
       peak_pressure_(elevation.values.size()),
+      peak_momentum_flux_(elevation.values.size()),
+      density_(reference_density),
       arrival_time_(elevation.values.size(), Raster::no_data) {}
 
 void FlowMaps::update(double time, const Particles& particles) {
@@ -19,6 +21,9 @@ void FlowMaps::update(double time, const Particles& particles) {
     if (!columns_.is_wet(cell)) continue;
     peak_speed_[cell] = std::max(peak_speed_[cell], columns_.speed(cell));
     peak_pressure_[cell] = std::max(peak_pressure_[cell], columns_.pressure(cell));
+    const double speed = columns_.speed(cell);
+    peak_momentum_flux_[cell] =
+        std::max(peak_momentum_flux_[cell], density_ * columns_.depth(cell) * speed * speed);
     if (std::isnan(arrival_time_[cell])) arrival_time_[cell] = time;
   }
 }
@@ -28,6 +33,8 @@ Raster FlowMaps::peak_depth() const { return columns_.masked(peak_depth_); }
 Raster FlowMaps::peak_speed() const { return columns_.masked(peak_speed_); }
 
 Raster FlowMaps::peak_pressure() const { return columns_.masked(peak_pressure_); }
+
+Raster FlowMaps::peak_momentum_flux() const { return columns_.masked(peak_momentum_flux_); }
 
 Raster FlowMaps::arrival_time() const { return columns_.masked(arrival_time_); }
 

@@ -20,6 +20,7 @@ class FlowMaps {
   Raster peak_depth() const;     ///< greatest depth so far, m
   Raster peak_speed() const;     ///< greatest mass-weighted mean speed while wet, m/s
   Raster peak_pressure() const;  ///< greatest pressure of a particle in the column while wet, Pa
+  Raster peak_momentum_flux() const;  ///< greatest density x depth x speed^2 while wet, N/m
   Raster arrival_time() const;  ///< time at which the cell was first wet, s; NaN where it never was
   Raster depth() const;         ///< depth at the last update, m
 
@@ -28,6 +29,8 @@ class FlowMaps {
   std::vector<double> peak_depth_;
   std::vector<double> peak_speed_;
   std::vector<double> peak_pressure_;
+  std::vector<double> peak_momentum_flux_;
+  double density_;
   std::vector<double> arrival_time_;
 };
 

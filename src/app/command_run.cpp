@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 #include <memory>
 
@@ -57,7 +58,9 @@ int run(const RunCommandOptions& options) {
       options.folder.empty() ? name_of_case(options.case_path) + "-run" : options.folder;
   run_options.overwrite = options.overwrite;
   run_options.stop = &stop;
-  ProgressDisplay display(!c.structures.empty());
+  ProgressDisplay display(std::ranges::any_of(c.structures, [](const StructureCase& structure) {
+    return structure.kind == StructureKind::check_dam;
+  }));
   run_options.on_progress = [&](const RunProgress& progress) { display.show(progress); };
 
   print_heading(c, run_options.folder);

@@ -1,14 +1,8 @@
-#include <filesystem>
 #include <memory>
-#include <optional>
 
-#include <fmt/format.h>
-
+#include "app/batch_display.hpp"
 #include "app/case_option.hpp"
 #include "app/commands.hpp"
-#include "app/messages.hpp"
-#include "app/progress_display.hpp"
-#include "app/stop_signals.hpp"
 #include "run/load_case.hpp"
 #include "run/study.hpp"
 
@@ -20,32 +14,11 @@ struct StudyCommandOptions {
   std::string folder;
 };
 
-int report(const StudyResult& result) {
-  for (const std::string& line : result.summary) fmt::print("{}\n", line);
-  if (!result.index.empty()) fmt::print("Open {}\n", result.index.string());
-  std::fflush(stdout);
-  if (!result.reason.empty()) print_error(result.reason);
-  if (result.end == RunEnd::interrupted) return exit_stopped;
-  return result.end == RunEnd::finished ? exit_done : exit_run_failed;
-}
-
 int study(const StudyCommandOptions& options) {
-  const std::atomic<bool>& stop = catch_stop_signals();
-  StudyOptions study_options;
-  study_options.folder =
+  const std::string folder =
       options.folder.empty() ? name_of_case(options.request.case_path) + "-study" : options.folder;
-  study_options.stop = &stop;
-  std::optional<ProgressDisplay> display;
-  study_options.on_run = [&](const std::string& line) {
-    if (display) display->finish();
-    display.emplace(false);
-    fmt::print("{}\n", line);
-    std::fflush(stdout);
-  };
-  study_options.on_progress = [&](const RunProgress& progress) { display->show(progress); };
-  const StudyResult result = run_study(options.request, study_options);
-  if (display) display->finish();
-  return report(result);
+  return show_batch(folder,
+                    [&](const BatchOptions& batch) { return run_study(options.request, batch); });
 }
 
 }  // namespace

@@ -25,7 +25,10 @@ constexpr const char* examples = R"(Examples:
   sabo study demo --spacings 4,3,2.2         run it at each spacing: what hangs on it
   sabo plot demo-run --times 10,30,60        draw the flow at these times
   sabo report demo-run                       one page to print and to hand on
+  sabo view demo-run                         the flow in 3D, in a browser
   sabo info demo-run                         what came out
+  sabo compare with-dam without-dam          what a dam changes
+  sabo hazard demo-run --rules japan         classes by rules that you can change
 
 Exit codes: 0 done, 2 the case or the command line is wrong, 3 the run failed, 130 interrupted.)";
 
@@ -38,8 +41,13 @@ void describe_program(CLI::App& program, Action& action) {
   add_check_command(program, action);
   add_run_command(program, action);
   add_study_command(program, action);
+  add_sweep_command(program, action);
   add_plot_command(program, action);
   add_report_command(program, action);
+  add_compare_command(program, action);
+  add_hazard_command(program, action);
+  add_export_command(program, action);
+  add_view_command(program, action);
   add_info_command(program, action);
   add_models_command(program, action);
   add_bench_command(program, action);

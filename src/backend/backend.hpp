@@ -99,6 +99,8 @@ class Backend {
   /// method also by the wall law, from near_motion() on. Particles that sleep press as they last
   /// did, without friction. Empty without bodies.
   virtual const std::vector<BodyLoad>& body_loads() const = 0;
+  /// The same, particle by particle of the bodies.
+  virtual const std::vector<BodyForce>& body_forces() const = 0;
 
   /// Keeps the state as the start of a step and moves it half a step with the current rates.
   virtual void predict(double dt) = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstdint>
+
 #include "math/vec3.hpp"
 
 namespace sabo {
@@ -20,6 +22,12 @@ struct BodyLoad {
   friend BodyLoad operator*(double factor, const BodyLoad& load) {
     return {factor * load.force, factor * load.moment};
   }
+};
+
+/// A part of it that acts at one boundary particle.
+struct BodyForce {
+  std::uint32_t particle = 0;  ///< row of the boundary, until neighbours are found anew
+  Vec3d force;                 ///< N
 };
 
 }  // namespace sabo

@@ -39,6 +39,7 @@ class HostBackend : public Backend {
   const std::vector<Vec3d>& accelerations() const override { return acceleration_; }
   const std::vector<double>& density_rates() const override { return density_rate_; }
   const std::vector<BodyLoad>& body_loads() const override { return body_loads_; }
+  const std::vector<BodyForce>& body_forces() const override { return body_forces_; }
 
  protected:
   /// Lists the pairs of the present positions, reordering the particles if it likes.
@@ -101,6 +102,7 @@ class HostBackend : public Backend {
   template <class Law>
   void stress_of(const Law& law, Particles& particles, std::size_t offset, bool carries_stress);
   void list_bodies();
+  void unload_bodies();
   template <class PairForce>
   void add_to_bodies(const PairForce& force);
   Vec3d artificial_on_wall(std::size_t i, std::size_t b, const PairGeometry<double>& pair) const;
@@ -114,8 +116,8 @@ class HostBackend : public Backend {
   std::vector<double> start_density_;
   std::vector<double> start_boundary_density_;
 
-  std::vector<std::uint32_t> body_rows_;  // boundary particles of bodies
-  std::vector<Vec3d> row_forces_;         // on each of them, N
+  std::vector<BodyForce> body_forces_;  // of all boundary particles of bodies
+  std::vector<Vec3d> row_forces_;       // on each of them by one kind of pairs, N
   std::vector<BodyLoad> body_loads_;
   std::vector<std::vector<std::uint32_t>> near_rows_;  // one to work with for each thread
 };

@@ -13,15 +13,20 @@
 namespace sabo {
 
 void HostBackend::list_bodies() {
-  body_rows_.clear();
+  body_forces_.clear();
   std::size_t bodies = body_loads_.size();
   for (std::size_t b = 0; b < boundary_.size(); ++b) {
     if (boundary_.body[b] == 0) continue;
-    body_rows_.push_back(static_cast<std::uint32_t>(b));
+    body_forces_.push_back({static_cast<std::uint32_t>(b), {}});
     bodies = std::max<std::size_t>(bodies, boundary_.body[b]);
   }
   body_loads_.resize(bodies);
-  row_forces_.resize(body_rows_.size());
+  row_forces_.resize(body_forces_.size());
+}
+
+void HostBackend::unload_bodies() {
+  std::ranges::fill(body_loads_, BodyLoad{});
+  for (BodyForce& at : body_forces_) at.force = {};
 }
 
 /// Adds force(i, b, pair) on boundary particle b by each fluid particle i near it, N.
@@ -30,13 +35,13 @@ void HostBackend::add_to_bodies(const PairForce& force) {
   const PassClock clock(pass_times_, "bodies");
   const auto kernel = model_.kernel<double>();
   near_rows_.resize(static_cast<std::size_t>(threads_));
-  const auto count = static_cast<std::ptrdiff_t>(body_rows_.size());
+  const auto count = static_cast<std::ptrdiff_t>(body_forces_.size());
 #pragma omp parallel num_threads(threads_) if (count > 256)
   {
     std::vector<std::uint32_t>& near = near_rows_[static_cast<std::size_t>(omp_get_thread_num())];
 #pragma omp for schedule(static)
     for (std::ptrdiff_t k = 0; k < count; ++k) {
-      const std::size_t b = body_rows_[k];
+      const std::size_t b = body_forces_[k].particle;
       near.clear();
       fluid_near(fluid_.size() + b, near);
       Vec3d sum;
@@ -48,8 +53,9 @@ void HostBackend::add_to_bodies(const PairForce& force) {
     }
   }
   // In the order of the particles, whichever thread summed which.
-  for (std::size_t k = 0; k < body_rows_.size(); ++k) {
-    const std::size_t b = body_rows_[k];
+  for (std::size_t k = 0; k < body_forces_.size(); ++k) {
+    const std::size_t b = body_forces_[k].particle;
+    body_forces_[k].force += row_forces_[k];
     body_loads_[boundary_.body[b] - 1u] +=
         BodyLoad{row_forces_[k], cross(boundary_.position[b], row_forces_[k])};
   }
@@ -67,7 +73,7 @@ Vec3d HostBackend::artificial_on_wall(std::size_t i, std::size_t b,
 
 void HostBackend::load_bodies_by_stress() {
   if (body_loads_.empty()) return;
-  std::fill(body_loads_.begin(), body_loads_.end(), BodyLoad{});
+  unload_bodies();
   const bool morris = model_.viscous_operator == ViscousOperator::morris;
   const double factor = model_.strain_convention() * model_.wall_velocity_factor();
   add_to_bodies([&](std::size_t i, std::size_t b, const PairGeometry<double>& pair) {
@@ -83,7 +89,7 @@ void HostBackend::load_bodies_by_stress() {
 
 void HostBackend::load_bodies_by_pressure() {
   if (body_loads_.empty()) return;
-  std::fill(body_loads_.begin(), body_loads_.end(), BodyLoad{});
+  unload_bodies();
   const double per_rho2 = 1 / (model_.state.rho0 * model_.state.rho0);
   add_to_bodies([&](std::size_t i, std::size_t b, const PairGeometry<double>& pair) {
     const Vec3d a = pressure_force(pair, per_rho2 * fluid_.pressure[i],

@@ -6,9 +6,11 @@
 
 #include "base/describe.hpp"
 #include "case/body_case.hpp"
+#include "case/load_case.hpp"
 #include "case/material_case.hpp"
 #include "case/measure_case.hpp"
 #include "case/numerics_case.hpp"
+#include "case/observed_case.hpp"
 #include "case/release_case.hpp"
 #include "case/run_case.hpp"
 #include "case/structure_case.hpp"
@@ -29,9 +31,12 @@ struct Case {
   std::vector<StructureCase> structures;
   std::vector<BodyCase> bodies;
   std::vector<SectionCase> sections;
+  std::vector<GaugeCase> gauges;
   std::vector<ZoneCase> zones;
+  LoadCase loads;
   PathCase path;
   std::vector<ReferenceCase> references;
+  ObservedCase observed;
   NumericsCase numerics;
   RunCase run;
   std::filesystem::path folder;  ///< of the case file, absolute; relative paths start here
@@ -48,9 +53,12 @@ struct Case {
     v.tables("structure", "works in the way", structures);
     v.tables("body", "solids that stand in the flow or hold it: boxes, tanks, meshes", bodies);
     v.tables("section", "lines that measure discharge", sections);
+    v.tables("gauge", "points whose depth, speed and pressure are measured", gauges);
     v.tables("zone", "areas whose depth is measured", zones);
+    v.table("loads", "how forces on structures and bodies are read", loads);
     v.table("path", "the line along which the front is measured", path);
     v.tables("reference", "volumes known from elsewhere, printed beside the run's", references);
+    v.table("observed", "what a survey found, for sabo compare", observed);
     v.table("numerics", "the method", numerics);
     v.table("run", "how long, and what is written", run);
   }

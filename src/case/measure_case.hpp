@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <filesystem>
 #include <optional>
 #include <string>
 
@@ -22,6 +24,25 @@ struct SectionCase {
           "its last: a vector file or coordinates"}
           .required(),
       line);
+  }
+};
+
+/// Places whose time series are written.
+struct GaugeCase {
+  std::string name;
+  std::optional<std::array<double, 2>> place;
+  std::filesystem::path file;
+  std::optional<double> elevation;
+
+  template <class V>
+  void describe(V&& v) {
+    v(Key{"name", "", "used in the outputs; points of a file are numbered behind it"}, name);
+    v(Key{"place", "m", "[x, y] of the gauge"}.at_least(-1e8).at_most(1e8), place);
+    v(Key{"file", "", "vector file of points, each a gauge"}, file);
+    v(Key{"elevation", "m", "of the pressure that is measured; else that at the ground"}
+          .at_least(-1e4)
+          .at_most(1e4),
+      elevation);
   }
 };
 

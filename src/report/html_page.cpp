@@ -1,14 +1,15 @@
 #include "report/html_page.hpp"
 
 #include <cstdlib>
+#include <span>
 #include <string_view>
 
 #include "report/embedded.hpp"
 #include <fmt/format.h>
 
+#include "io/output/base64.hpp"
 #include "io/output/json.hpp"
 #include "io/output/markup.hpp"
-#include "io/output/png.hpp"
 
 namespace sabo {
 namespace {
@@ -169,7 +170,7 @@ void HtmlPage::foreign_picture(const std::string& svg, const std::string& name) 
   body_ += fmt::format(
       "<figure><img alt=\"{0}\" src=\"data:image/svg+xml;base64,{1}\"><figcaption>{2}"
       "</figcaption></figure>\n",
-      escaped(name), base64_of(svg), source_html(name));
+      escaped(name), base64_of(std::as_bytes(std::span(svg))), source_html(name));
 }
 
 void HtmlPage::key(const std::vector<std::pair<MapLine::Kind, std::string>>& entries) {

@@ -1,6 +1,8 @@
 #include "report/report_parts.hpp"
 
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -42,7 +44,14 @@ std::string amount_or_dash(const std::optional<double>& value) {
   return value ? amount(*value) : "–";
 }
 
-std::optional<Peak> peak_of(const SeriesTable& table, const std::string& column) {
+double number_of_field(const std::string& field) {
+  double value = 0;
+  const char* end = field.data() + field.size();
+  const auto [stop, error] = std::from_chars(field.data(), end, value);
+  return error == std::errc() && stop == end ? value : std::nan("");
+}
+
+std::optional<Peak> peak_of(const NumberTable& table, const std::string& column) {
   const std::vector<double>* time = table.find("time [s]");
   const std::vector<double>* values = table.find(column);
   std::optional<Peak> peak;
@@ -54,14 +63,14 @@ std::optional<Peak> peak_of(const SeriesTable& table, const std::string& column)
   return peak;
 }
 
-std::vector<std::string> names_before(const SeriesTable& table, std::string_view suffix) {
+std::vector<std::string> names_before(const NumberTable& table, std::string_view suffix) {
   std::vector<std::string> names;
   for (const std::string& name : table.names)
     if (name.ends_with(suffix)) names.push_back(name.substr(0, name.size() - suffix.size()));
   return names;
 }
 
-ChartSeries over_time(const SeriesTable& table, const std::string& column, const std::string& name,
+ChartSeries over_time(const NumberTable& table, const std::string& column, const std::string& name,
                       double scale) {
   ChartSeries series{name};
   const std::vector<double>* time = table.find("time [s]");

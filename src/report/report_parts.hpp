@@ -58,18 +58,21 @@ std::string percent(double share, int decimals = 0);
 /// A number that may not be there, "–" without it.
 std::string amount_or_dash(const std::optional<double>& value);
 
+/// The number in a field of a table; NaN where it is none.
+double number_of_field(const std::string& field);
+
 struct Peak {
   double value = 0;
   double time = 0;  ///< s
 };
 /// The value of a column that is greatest without its sign; nothing without finite values.
-std::optional<Peak> peak_of(const SeriesTable& table, const std::string& column);
+std::optional<Peak> peak_of(const NumberTable& table, const std::string& column);
 
 /// What stands before `suffix` in the names of columns, in their order.
-std::vector<std::string> names_before(const SeriesTable& table, std::string_view suffix);
+std::vector<std::string> names_before(const NumberTable& table, std::string_view suffix);
 
 /// A column over time; empty without it.
-ChartSeries over_time(const SeriesTable& table, const std::string& column, const std::string& name,
+ChartSeries over_time(const NumberTable& table, const std::string& column, const std::string& name,
                       double scale = 1);
 
 /// The case's title, or the name of the folder.

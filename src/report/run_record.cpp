@@ -96,14 +96,14 @@ std::string RunRecord::written(std::string_view table, std::string_view key) con
   return found ? text_at(*found, key).value_or("") : "";
 }
 
-const SeriesTable* RunRecord::series(const std::string& name) {
+const NumberTable* RunRecord::series(const std::string& name) {
   const auto [place, is_new] = series_.try_emplace(name);
   if (is_new) {
     try {
-      place->second = read_series(folder_ / "series" / name);
-    } catch (const CaseError&) {
-      missing_.insert("series/" + name);
+      place->second = read_number_table(folder_ / "series" / name);
+    } catch (const CaseError&) {  // as if it were not there
     }
+    if (!place->second) missing_.insert("series/" + name);
   }
   return place->second ? &*place->second : nullptr;
 }

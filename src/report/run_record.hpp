@@ -11,7 +11,7 @@
 #include "case/case.hpp"
 #include "io/case_file/toml_tree.hpp"
 #include "io/output/map_line.hpp"
-#include "io/output/read_series.hpp"
+#include "io/output/read_csv.hpp"
 #include "terrain/raster.hpp"
 
 namespace sabo {
@@ -52,7 +52,7 @@ class RunRecord {
   std::string written(std::string_view table, std::string_view key) const;
 
   /// "front.csv" of series/; nullptr if it is not there.
-  const SeriesTable* series(const std::string& name);
+  const NumberTable* series(const std::string& name);
   /// "dep" of maps/; nullptr if it is not there.
   const MapRecord* map(const std::string& name);
   /// Lines of the plan: path, structures, sections, zones.
@@ -70,7 +70,7 @@ class RunRecord {
   TomlTable manifest_;
   TomlTable case_text_;
   std::optional<Case> case_;
-  std::map<std::string, std::optional<SeriesTable>> series_;
+  std::map<std::string, std::optional<NumberTable>> series_;
   std::map<std::string, std::optional<MapRecord>> maps_;
   std::optional<std::vector<MapLine>> plan_;
   std::set<std::string> missing_;

@@ -4,6 +4,8 @@
 #include <list>
 #include <type_traits>
 
+#include "run/scene_structures.hpp"
+
 namespace sabo {
 namespace {
 
@@ -25,18 +27,20 @@ Frames::Frames(const Scene& scene, const RunFolder& folder)
       origin_{scene.frame.origin_x, scene.frame.origin_y, 0},
       list_(folder.frames() / "flow.pvd") {
   write_surface_vtp(folder_ / "ground.vtp", scene.surface->elevation(), origin_);
-  if (!scene.bodies.empty()) write_bodies(scene);
+  if (!scene.dams.empty() || !scene.bodies.empty()) write_bodies(scene);
 }
 
 /// The numbers are those of the boundary particles.
 void Frames::write_bodies(const Scene& scene) const {
   TriangleMesh all;
   std::vector<float> numbers;
-  auto number = static_cast<float>(scene.dams.size());
-  for (const Body& body : scene.bodies) {
-    append(all, body.mesh());
+  float number = 0;
+  const auto add = [&](const TriangleMesh& mesh) {
+    append(all, mesh);
     numbers.resize(all.vertices.size(), ++number);
-  }
+  };
+  for (const CheckDam& dam : scene.dams) add(shown_mesh(dam, scene));
+  for (const Body& body : scene.bodies) add(body.mesh());
   write_mesh_vtp(folder_ / "bodies.vtp", all, numbers, origin_);
 }
 

@@ -56,6 +56,7 @@ std::vector<KeyQuantity> key_quantities(const RunMaps& maps, const std::vector<S
     const CheckDam& dam = scene.dams[k];
     // The flow stands before the dam, not on its axis.
     add_arrival(maps, dam.name, dam.axis, dam.thickness / 2 + std::max(grid.dx, grid.dy), list);
+    if (k >= scene.check_dams().size()) continue;
     list.push_back({"trapped by " + dam.name, "m3", last.volumes[k].trapped});
     list.push_back({"beyond " + dam.name, "m3", last.volumes[k].beyond});
   }

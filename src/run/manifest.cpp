@@ -14,6 +14,7 @@
 #include "io/output/file.hpp"
 #include "run/amount_text.hpp"
 #include "run/input_files.hpp"
+#include "run/load_text.hpp"
 #include "run/rest_text.hpp"
 #include "run/scene_record.hpp"
 #include "run/tables.hpp"
@@ -29,7 +30,7 @@ const char* verb_of(RunEnd end) {
 std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
   std::string text = fmt::format("released = {:.9g}\noutflow = {:.9g}\nput_back = {}\n",
                                  row.released, row.outflow, row.put_back);
-  if (dam < scene.dams.size())
+  if (dam < scene.check_dams().size())
     text += fmt::format("dam = {}\ntrapped = {:.9g}\nbeyond = {:.9g}\n",
                         toml_string(scene.dams[dam].name), row.trapped, row.beyond);
   return text;
@@ -91,11 +92,12 @@ std::string resolution_warning(const ResolutionGuard& guard) {
   return "";
 }
 
-std::vector<PageTable> result_tables(const Case& c, const Scene& scene,
+std::vector<PageTable> result_tables(const RunFacts& facts, const Case& c, const Scene& scene,
                                      const std::vector<SeriesRow>& rows) {
   if (rows.empty()) return {};
   std::vector<PageTable> tables = volume_tables(c, scene, rows.back());
   if (!c.zones.empty()) tables.push_back(zone_table(c, rows.back()));
+  if (!facts.loads.empty()) tables.push_back(load_table(facts.loads, c.loads));
   return tables;
 }
 
@@ -131,6 +133,7 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
   if (!rows.empty())
     for (std::size_t k = 0; k < c.zones.size(); ++k)
       text += zone_text(c.zones[k], rows.back().zones[k]);
+  text += loads_toml(facts.loads, c.loads);
   text += fmt::format(
       "\n[maps]\nraster_volume = {:.3f}\nparticle_volume = {:.3f}\n"
       "\n[resolution]\nwet_area = {:.1f}\nmedian_layers = {:.2f}\nthin_share = {:.3f}\n"
@@ -160,7 +163,7 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   if (facts.end == RunEnd::finished && !facts.motion.is_at_rest)
     lines.push_back("Not at rest at the end: " + motion_text(facts.motion, c.run));
   if (!c.note.empty()) lines.push_back("Note: " + c.note);
-  for (const PageTable& table : result_tables(c, scene, rows))
+  for (const PageTable& table : result_tables(facts, c, scene, rows))
     for (const std::string& line : text_of(table)) lines.push_back(line);
   lines.push_back(fmt::format("Map volume {} m3, particle volume {} m3, difference {:.4f} %",
                               amount_text(facts.raster_volume), amount_text(facts.particle_volume),
@@ -232,16 +235,20 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
     page.facts.insert(page.facts.begin() + 1, {"Not at rest", motion_text(facts.motion, c.run)});
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
   page.warning = resolution_warning(facts.resolution);
-  page.tables = result_tables(c, scene, rows);
+  page.tables = result_tables(facts, c, scene, rows);
   page.details = {parameter_table(c), pass_table(facts.passes)};
   page.pictures = std::move(pictures);
   page.files = {
+      {"view/index.html", "the run in 3D, in this browser"},
       {"case.toml", "the case with every default"},
       {"manifest.toml", "version, times, volumes, passes of the solver, checksums of the inputs"},
       {"maps/dep.tif", "depth at the end, m"},
       {"maps/pfd.tif", "greatest depth, m"},
       {"maps/pfv.tif", "greatest speed, m/s"},
       {"maps/ppr.tif", "greatest pressure, kPa"},
+      {"maps/pmf.tif", "greatest momentum flux per width, kN/m"},
+      {"maps/det.tif", "thickness at the end, normal to the ground, m"},
+      {"maps/pft.tif", "greatest thickness, normal to the ground, m"},
       {"maps/tarr.tif", "arrival time, s"},
       {"maps/res.tif", "greatest depth over the particle spacing, particles"},
       {"maps/ground.tif", "elevation of the ground as the run used it, m"},
@@ -254,9 +261,20 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"series/rest.csv", "moving volume, kinetic energy over its peak, creep"},
       {"series/solver.csv", "time step, speeds, density range, particle counts"},
       {"frames/flow.pvd", "particles as a time series for ParaView"},
+      {"frames/surface.pvd", "surface of the flow as a time series for ParaView"},
       {"frames/ground.vtp", "the ground for ParaView"}};
   if (!c.bodies.empty()) page.files.push_back({"frames/bodies.vtp", "the bodies for ParaView"});
   if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
+  if (!c.sections.empty()) {
+    page.files.push_back({"series/sections.csv", "area, depth and speeds at the sections"});
+    page.files.push_back({"series/velocity_profiles.csv", "their speed over the height"});
+  }
+  if (!c.gauges.empty())
+    page.files.push_back({"series/gauges.csv", "depth, speed and pressure at the gauges"});
+  if (!facts.loads.empty()) {
+    page.files.push_back({"series/loads.csv", "forces and moments on structures and bodies"});
+    page.files.push_back({"series/pressure_profiles.csv", "their forces over the height"});
+  }
   return page;
 }
 

@@ -29,7 +29,8 @@ struct RunFacts {
   double sound_speed = 0;              ///< greatest, m/s
   double top_mach = 0;                 ///< greatest speed over the sound speed of its time
   ResolutionGuard resolution;
-  MotionState motion;  ///< at the end
+  MotionState motion;              ///< at the end
+  std::vector<LoadSummary> loads;  ///< one entry per structure, then per body
   std::vector<KeyQuantity> quantities;
 };
 

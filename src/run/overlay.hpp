@@ -1,5 +1,6 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "io/output/map_picture.hpp"
@@ -7,8 +8,15 @@
 
 namespace sabo {
 
+/// How a dam is drawn: as the stretches that stand, or as all of its axis.
+enum class DamLine { standing, whole };
+
 /// Path, zones, dams, bodies and sections of a scene as lines over a map, in the solver frame.
-std::vector<MapLine> overlay(const Scene& scene);
+std::vector<MapLine> overlay(const Scene& scene, DamLine dams = DamLine::standing);
+
+/// What pictures call a body of the scene; of many buildings the first of each structure only has
+/// a label.
+std::string label_of_body(const Scene& scene, std::size_t index);
 
 /// Appends the outlines of polygons; the label stands at the first.
 void add_outlines(MapLine::Kind kind, const std::string& label,

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/bed_normal.hpp"
 #include "analysis/resolution.hpp"
 #include "io/gis/write_raster.hpp"
 #include "io/output/file.hpp"
@@ -21,7 +22,7 @@ Raster in_crs(Raster raster, const Frame& frame) {
   return raster;
 }
 
-Raster in_kilopascal(Raster raster) {
+Raster in_kilo(Raster raster) {
   for (double& value : raster.values) value /= 1000;
   return raster;
 }
@@ -83,11 +84,47 @@ void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& al
        "Greatest depth of the flow (maps/pfd.tif)");
   draw("peak_speed.svg", "Greatest speed", "speed [m/s]", maps.peak_speed, 0.01,
        "Greatest speed of the flow (maps/pfv.tif)");
-  draw("peak_pressure.svg", "Greatest pressure", "pressure [kPa]",
-       in_kilopascal(maps.peak_pressure), 0.01,
-       "Greatest pressure in the column of the flow (maps/ppr.tif)");
+  draw("peak_pressure.svg", "Greatest pressure", "pressure [kPa]", in_kilo(maps.peak_pressure),
+       0.01, "Greatest pressure in the column of the flow (maps/ppr.tif)");
+  draw("peak_momentum.svg", "Greatest momentum flux", "density x depth x speed² [kN/m]",
+       in_kilo(maps.peak_momentum), 0.01,
+       "Greatest momentum flux per width: what it would push with against a wall (maps/pmf.tif)");
   draw("arrival.svg", "Arrival", "time [s]", maps.arrival, 0,
        "Time at which the flow arrived (maps/tarr.tif)");
+}
+
+/// A chart per structure: what it bore beside the design formulas.
+void draw_loads(const std::vector<SeriesRow>& rows, const std::vector<LoadSummary>& loads,
+                Album& album) {
+  const auto kilo = [&rows](std::string name, std::size_t k, double LoadRow::*value) {
+    return series_of(rows, std::move(name),
+                     [k, value](const SeriesRow& row) { return row.loads[k].*value / 1000; });
+  };
+  for (std::size_t k = 0; k < loads.size(); ++k) {
+    LineChart chart{"Horizontal force on " + loads[k].name, "time [s]", "force [kN]"};
+    chart.series = {kilo("computed", k, &LoadRow::force),
+                    kilo("½ ρ g h²", k, &LoadRow::hydrostatic),
+                    kilo("α ρ h v²", k, &LoadRow::dynamic)};
+    album.add(fmt::format("force_{}.svg", k + 1), chart_svg(chart),
+              "Force beside the design formulas, which take depth h and speed v from the flow "
+              "before the structure (series/loads.csv)",
+              false);
+    ChartSeries over_height{fmt::format("at {:.1f} s", loads[k].row_time)};
+    for (const LoadProfile::Bin& bin : loads[k].profile) {
+      over_height.x.push_back(bin.pressure() / 1000);
+      over_height.y.push_back(0.5 * (bin.bottom + bin.top));
+    }
+    LineChart profile{"Pressure on " + loads[k].name, "pressure [kPa]", "elevation [m]"};
+    over_height.has_markers = true;
+    profile.series = {std::move(over_height)};
+    if (loads[k].profile.empty()) continue;
+    profile.y_low = loads[k].profile.front().bottom;
+    profile.y_high = loads[k].profile.back().top;
+    album.add(fmt::format("pressure_{}.svg", k + 1), chart_svg(profile),
+              "Mean horizontal pressure over the height when the force was greatest "
+              "(series/pressure_profiles.csv)",
+              false);
+  }
 }
 
 void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& album) {
@@ -112,7 +149,7 @@ void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& 
           "(series/discharge.csv)");
 
   std::vector<ChartSeries> volumes;
-  for (std::size_t k = 0; k < scene.dams.size(); ++k) {
+  for (std::size_t k = 0; k < scene.check_dams().size(); ++k) {
     const std::string& dam = scene.dams[k].name;
     volumes.push_back(series_of(rows, "trapped by " + dam,
                                 [k](const SeriesRow& row) { return row.volumes[k].trapped; }));
@@ -148,11 +185,21 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
   write("dep.tif", maps.deposit, "vertical depth at the end of the run", "m");
   write("pfd.tif", maps.peak_depth, "greatest vertical depth", "m");
   write("pfv.tif", maps.peak_speed, "greatest mass-weighted mean speed of the column", "m/s");
-  write("ppr.tif", in_kilopascal(maps.peak_pressure),
+  write("ppr.tif", in_kilo(maps.peak_pressure),
         fmt::format("greatest pressure of a particle in the column, where the flow is deeper than "
                     "{:g} m",
                     maps.wet_depth),
         "kPa");
+  write("pmf.tif", in_kilo(maps.peak_momentum),
+        fmt::format("greatest momentum flux per width, density x depth x speed^2 of the column, "
+                    "where the flow is deeper than {:g} m",
+                    maps.wet_depth),
+        "kN/m");
+  const Raster& ground = scene.surface->elevation();
+  write("det.tif", bed_normal_thickness(maps.deposit, ground),
+        "thickness normal to the ground at the end of the run", "m");
+  write("pft.tif", bed_normal_thickness(maps.peak_depth, ground),
+        "greatest thickness normal to the ground", "m");
   write(
       "res.tif", maps.layers,
       fmt::format("greatest vertical depth over the particle spacing of {:g} m, where the flow is "
@@ -164,11 +211,13 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
 }
 
 std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<SeriesRow>& rows,
-                                       const Case& c, const Scene& scene, const RunFolder& folder) {
+                                       const std::vector<LoadSummary>& loads, const Case& c,
+                                       const Scene& scene, const RunFolder& folder) {
   Album album(folder);
   draw_maps(maps, c, scene, album);
   draw_resolution(maps, c, scene, album);
   draw_series(rows, scene, album);
+  draw_loads(rows, loads, album);
   return album.take();
 }
 

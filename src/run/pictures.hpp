@@ -15,6 +15,7 @@ struct RunMaps {
   Raster peak_depth;        ///< pfd, m
   Raster peak_speed;        ///< pfv, m/s
   Raster peak_pressure;     ///< ppr, Pa; kPa in its file and picture
+  Raster peak_momentum;     ///< pmf, N/m; kN/m in its file and picture
   Raster arrival;           ///< tarr, s
   Raster layers;            ///< res, particles
   double wet_depth = 0.05;  ///< above which a cell counted as wet, m
@@ -28,6 +29,7 @@ void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const Ru
 
 /// Draws maps and series; returns the pictures for the index page.
 std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<SeriesRow>& rows,
-                                       const Case& c, const Scene& scene, const RunFolder& folder);
+                                       const std::vector<LoadSummary>& loads, const Case& c,
+                                       const Scene& scene, const RunFolder& folder);
 
 }  // namespace sabo

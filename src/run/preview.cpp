@@ -18,8 +18,9 @@
 #include "physics/viscosity_of_concentration.hpp"
 #include "run/amount_text.hpp"
 #include "run/memory_estimate.hpp"
+#include "run/preview_lines.hpp"
+#include "run/preview_structures.hpp"
 #include "solver/flow_model.hpp"
-#include "terrain/body_points.hpp"
 
 namespace sabo {
 namespace {
@@ -32,29 +33,6 @@ std::string count_text(double count) {
   if (count < 1e6) return fmt::format("{:.0f} thousand", count / 1e3);
   return fmt::format("{:.1f} million", count / 1e6);
 }
-
-/// Lines under labels, then what to be aware of.
-class Preview {
- public:
-  /// A line under a label; a label is printed once.
-  void line(std::string_view label, const std::string& text) {
-    text_ += fmt::format("{:<12}{}\n", label == label_ ? "" : label, text);
-    label_ = label;
-  }
-  void warn(std::string text) { warnings_.push_back(std::move(text)); }
-
-  std::string text() const {
-    std::string all = text_;
-    if (!warnings_.empty()) all += "\nBe aware:\n";
-    for (const std::string& warning : warnings_) all += "  - " + warning + "\n";
-    return all;
-  }
-
- private:
-  std::string text_;
-  std::string_view label_;
-  std::vector<std::string> warnings_;
-};
 
 void tell_terrain(Preview& preview, const Scene& scene) {
   const Raster& ground = scene.surface->elevation();
@@ -130,6 +108,10 @@ void tell_release(Preview& preview, const Case& c, const Scene& scene, const Flo
                                       "ground near the flow takes up to about {}",
                                       scene.release.size(), dp, layers,
                                       count_text(expected_boundary(model, scene.release.size()))));
+  if (scene.release_left_out > 0) {
+    preview.warn(fmt::format("{} m3 of the release would stand inside structures and are left out",
+                             amount_text(scene.release_left_out)));
+  }
   if (layers < ResolutionGuard::enough_layers) {
     preview.warn(
         fmt::format("the release is only {:.1f} particles deep; take numerics.spacing = {:.2g} m "
@@ -137,69 +119,6 @@ void tell_release(Preview& preview, const Case& c, const Scene& scene, const Flo
                     layers, scene.release_depth / ResolutionGuard::enough_layers,
                     ResolutionGuard::enough_layers));
   }
-}
-
-/// Crest and ground along a dam.
-struct DamProfile {
-  double lowest_crest = std::numeric_limits<double>::infinity();
-  double highest_crest = -std::numeric_limits<double>::infinity();
-  double greatest_height = 0;  ///< of the crest above the ground
-};
-
-DamProfile profile_of(const CheckDam& dam, const Surface& surface) {
-  constexpr int samples = 200;
-  DamProfile profile;
-  const double end = length(dam.axis);
-  for (int k = 0; k <= samples; ++k) {
-    const double station = end * k / samples;
-    const Vec3d place = point_at(dam.axis, station);
-    const double crest = dam.top(station) + dam.notch_depth(station);
-    profile.lowest_crest = std::min(profile.lowest_crest, crest);
-    profile.highest_crest = std::max(profile.highest_crest, crest);
-    profile.greatest_height =
-        std::max(profile.greatest_height, crest - surface.height(place.x, place.y));
-  }
-  return profile;
-}
-
-void tell_dam(Preview& preview, const CheckDam& dam, const Scene& scene, const FlowModel& model) {
-  const DamProfile profile = profile_of(dam, *scene.surface);
-  const bool is_level = profile.highest_crest - profile.lowest_crest < 0.005;
-  const std::string crest =
-      is_level ? fmt::format("{:.2f}", profile.highest_crest)
-               : fmt::format("{:.2f} to {:.2f}", profile.lowest_crest, profile.highest_crest);
-  preview.line(
-      "Structures",
-      fmt::format("{}: {:.1f} m long, {:g} m thick, crest at {} m, up to {:.2f} m above "
-                  "the ground",
-                  dam.name, length(dam.axis), dam.thickness, crest, profile.greatest_height));
-  if (dam.notch) {
-    preview.line("Structures", fmt::format("  notch {:g} m wide and {:g} m deep at {:.1f} m",
-                                           dam.notch->width, dam.notch->depth, dam.notch->centre));
-  }
-  // The nearest particles stand half a spacing from either face.
-  const double thinnest = model.kernel_radius() - model.spacing;
-  if (dam.thickness < thinnest) {
-    preview.warn(fmt::format(
-        "\"{}\" is {:g} m thick: the flow on one side feels that on the other through it below "
-        "{:.2f} m; take a smaller numerics.spacing",
-        dam.name, dam.thickness, thinnest));
-  }
-}
-
-void tell_body(Preview& preview, const BodyCase& c, const Body& body, const FlowModel& model) {
-  const std::size_t particles = body_points(body, model.spacing, model.state.rho0).size();
-  const Bounds bounds = bounds_of(body.mesh());
-  preview.line("Bodies", fmt::format("{}: {}, {} of {:.4g} m3 and {:.4g} m2, {} triangles, "
-                                     "watertight, {} particles",
-                                     body.name(), word_of(c.kind),
-                                     body.flow() == FlowSide::inside ? "a hollow" : "a solid",
-                                     volume(body.mesh()), area(body.mesh()),
-                                     body.mesh().triangles.size(), particles));
-  if (c.kind != BodyKind::mesh) return;
-  const Vec3d size = bounds.size();
-  preview.line("Bodies", fmt::format("  {:.4g} x {:.4g} x {:.4g} m, from {:.4g} to {:.4g} m high",
-                                     size.x, size.y, size.z, bounds.low.z, bounds.high.z));
 }
 
 void tell_lines(Preview& preview, const Case& c, const Scene& scene) {
@@ -295,9 +214,7 @@ std::string preview_text(const Case& c, const Scene& scene, const std::string& t
   tell_terrain(preview, scene);
   tell_edits(preview, scene);
   tell_release(preview, c, scene, model);
-  for (const CheckDam& dam : scene.dams) tell_dam(preview, dam, scene, model);
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k)
-    tell_body(preview, c.bodies[k], scene.bodies[k], model);
+  tell_structures(preview, c, scene, model);
   tell_lines(preview, c, scene);
   tell_numerics(preview, c, model);
   preview.line("Memory", fmt::format("about {:.0f} MB",

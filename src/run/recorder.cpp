@@ -20,7 +20,7 @@ std::vector<std::string> discharge_header(const Scene& scene) {
 
 std::vector<std::string> volumes_header(const Scene& scene) {
   std::vector<std::string> header{"time [s]", "released [m3]", "outflow [m3]", "put back [count]"};
-  for (const CheckDam& dam : scene.dams) {
+  for (const CheckDam& dam : scene.check_dams()) {
     header.push_back(dam.name + " trapped [m3]");
     header.push_back(dam.name + " beyond [m3]");
   }
@@ -40,7 +40,7 @@ std::vector<std::string> zones_header(const Scene& scene) {
 
 std::vector<VolumeLedger> make_ledgers(const Case& c, const Scene& scene) {
   std::vector<VolumeLedger> ledgers;
-  for (const CheckDam& dam : scene.dams)
+  for (const CheckDam& dam : scene.check_dams())
     ledgers.emplace_back(c.material.density, dam.axis, scene.release_centre);
   if (ledgers.empty()) ledgers.emplace_back(c.material.density);
   for (VolumeLedger& ledger : ledgers) ledger.release(scene.release);
@@ -52,13 +52,17 @@ std::vector<VolumeLedger> make_ledgers(const Case& c, const Scene& scene) {
 Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
                    const RunFolder& folder)
     : model_(model),
+      columns_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
       ledgers_(make_ledgers(c, scene)),
+      section_states_(scene, model, folder),
+      gauges_(scene, model, folder),
+      loads_(c.loads, scene, model, folder),
       front_(scene.path),
       rest_(rest_limits(c.run), c.numerics.spacing, c.material.density),
       maps_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
       sampling_distance_(std::max({scene.surface->elevation().grid.dx,
                                    scene.surface->elevation().grid.dy, c.numerics.spacing})),
-      has_dams_(!scene.dams.empty()),
+      has_dams_(!scene.check_dams().empty()),
       has_dynamic_walls_(c.numerics.method == Method::paper),
       front_csv_(folder.series() / "front.csv",
                  {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),
@@ -79,17 +83,18 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
   for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
   for (const NamedZone& zone : scene.zones)
     zones_.emplace_back(scene.surface->elevation(), zone.polygons);
-  if (!zones_.empty())
-    zone_columns_.emplace(scene.surface->elevation(), c.numerics.spacing, c.material.density);
   tracks_.advance(scene.release);
   maps_.update(0, scene.release);
   rest_.update(0, scene.release);
 }
 
-void Recorder::after_step(double time, const StepReport& report, const Particles& fluid) {
+void Recorder::after_step(const Stepper& stepper, const StepReport& report, Backend& backend) {
+  const double time = stepper.time();
+  const Particles& fluid = backend.fluid();
   const std::vector<Vec3d>& before = tracks_.advance(fluid);
   for (Section& section : sections_) section.record(before, fluid, model_.state.rho0);
   for (VolumeLedger& ledger : ledgers_) ledger.record(before, fluid);
+  loads_.after_step(stepper, report, backend);
   if (rest_.is_due(time)) rest_.update(time, fluid);
   travelled_ += report.flow.speed * report.dt;
   if (travelled_ < sampling_distance_) return;
@@ -141,7 +146,11 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
 
   front_csv_.append({row.time, row.front.position, row.front.displacement, row.front.velocity});
   discharge_csv_.append(discharge);
-  write_zones(backend.fluid(), row);
+  columns_.update(backend.fluid());
+  write_zones(row);
+  section_states_.write_row(row.time, backend.fluid());
+  gauges_.write_row(row.time, backend.fluid(), columns_);
+  row.loads = loads_.write_row(row.time, stepper, backend, columns_);
   volumes_csv_.append(volumes);
   energy_csv_.append({row.time, row.energy.mass, row.energy.kinetic, row.energy.potential,
                       row.energy.elastic, row.dissipated, row.numerical.total(), row.left.total()});
@@ -150,13 +159,11 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   rows_.push_back(std::move(row));
 }
 
-void Recorder::write_zones(const Particles& fluid, SeriesRow& row) {
+void Recorder::write_zones(SeriesRow& row) {
   std::vector<double> values{row.time};
-  if (zone_columns_) zone_columns_->update(fluid);
   for (const Zone& zone : zones_) {
-    const ZoneDepth depth =
-        zone.measure([this](std::size_t cell) { return zone_columns_->depth(cell); },
-                     zone_columns_->threshold());
+    const ZoneDepth depth = zone.measure([this](std::size_t cell) { return columns_.depth(cell); },
+                                         columns_.threshold());
     values.insert(values.end(), {depth.mean_wet, depth.mean_all, depth.greatest, depth.volume});
     row.zones.push_back(depth);
   }

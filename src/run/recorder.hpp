@@ -12,8 +12,11 @@
 #include "analysis/volume_ledger.hpp"
 #include "analysis/zone.hpp"
 #include "io/output/csv.hpp"
+#include "run/gauges.hpp"
 #include "run/run_folder.hpp"
 #include "run/scene.hpp"
+#include "run/section_states.hpp"
+#include "run/structure_loads.hpp"
 #include "solver/domain.hpp"
 #include "solver/stepper.hpp"
 
@@ -24,8 +27,9 @@ struct SeriesRow {
   double time = 0;
   FrontRow front;
   std::vector<double> discharge;   ///< net, mean since the row before, m3/s
-  std::vector<VolumeRow> volumes;  ///< one entry per dam, or one alone without a dam
+  std::vector<VolumeRow> volumes;  ///< one entry per check dam, or one alone without
   std::vector<ZoneDepth> zones;    ///< one entry per zone
+  std::vector<LoadRow> loads;      ///< one entry per structure, then per body
   Energy energy;
   Energy left;            ///< of what has left the map, at the time it did
   double dissipated = 0;  ///< J
@@ -40,7 +44,7 @@ class Recorder {
 
   /// To be called after every step: counts crossings and samples the maps each time the fastest
   /// particle has moved by a cell or a spacing, whichever is larger.
-  void after_step(double time, const StepReport& report, const Particles& fluid);
+  void after_step(const Stepper& stepper, const StepReport& report, Backend& backend);
 
   /// Particles that left the domain and those put back on the ground since the last call.
   void after_renewal(Domain& domain, const Tait& state);
@@ -54,17 +58,21 @@ class Recorder {
   const std::vector<SeriesRow>& rows() const { return rows_; }
   const FlowMaps& maps() const { return maps_; }
   const MotionState& motion() const { return rest_.state(); }
+  std::vector<LoadSummary> loads() const { return loads_.summaries(); }
 
  private:
-  void write_zones(const Particles& fluid, SeriesRow& row);
+  void write_zones(SeriesRow& row);
   void write_solver_row(const Stepper& stepper, const StepReport& report, Backend& backend);
 
   FlowModel model_;
   Tracks tracks_;
   std::vector<Section> sections_;
   std::vector<Zone> zones_;
-  std::optional<Columns> zone_columns_;  // their own, so that zones do not add samples to the maps
+  Columns columns_;  // of the rows: those of the maps are sampled at other times
   std::vector<VolumeLedger> ledgers_;
+  SectionStates section_states_;
+  Gauges gauges_;
+  StructureLoads loads_;
   Front front_;
   RestWatch rest_;
   FlowMaps maps_;

@@ -26,9 +26,12 @@ RunFolder::RunFolder(std::filesystem::path folder, bool overwrite) : root_(std::
       throw CaseError(root_.string(), "holds a run already",
                       "choose another folder with -o, or say --overwrite");
     if (is_run)
-      for (const fs::path& part :
-           {maps(), series(), frames(), pictures(), index(), states(), report(), japanese_report()})
+      for (const fs::path& part : {maps(), series(), frames(), pictures(), view(), index(),
+                                   states(), report(), japanese_report()})
         fs::remove_all(part, error);
+    for (const char* made : {"compare", "observed", "hazard", "export"})  // of the run before
+      if (is_run && fs::exists(root_ / made / "result.toml", error))
+        fs::remove_all(root_ / made, error);
   }
   for (const fs::path& part : {root_, maps(), series(), frames(), pictures()}) {
     fs::create_directories(part, error);

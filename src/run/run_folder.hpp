@@ -17,6 +17,7 @@ class RunFolder {
   std::filesystem::path series() const { return root_ / "series"; }
   std::filesystem::path frames() const { return root_ / "frames"; }
   std::filesystem::path pictures() const { return root_ / "pictures"; }
+  std::filesystem::path view() const { return root_ / "view"; }
   std::filesystem::path manifest() const { return root_ / "manifest.toml"; }
   std::filesystem::path index() const { return root_ / "index.html"; }
   std::filesystem::path states() const { return root_ / "states.html"; }

@@ -1,52 +1,26 @@
 #include "run/scene.hpp"
 
 #include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <set>
+#include <string>
 #include <utility>
 
 #include <fmt/format.h>
 
 #include "analysis/zone.hpp"
 #include "base/error.hpp"
+#include "io/gis/read_vectors.hpp"
 #include "run/scene_bodies.hpp"
 #include "run/scene_lines.hpp"
 #include "run/scene_release.hpp"
+#include "run/scene_structures.hpp"
 #include "run/scene_terrain.hpp"
 #include "terrain/steepest_descent.hpp"
 
 namespace sabo {
 namespace {
-
-CheckDam make_dam(const StructureCase& c, const std::string& key, const Scene& scene) {
-  CheckDam dam;
-  dam.name = c.name;
-  dam.axis = read_line(c.line, key + ".line", scene.frame);
-  dam.thickness = c.thickness;
-  if (c.notch)
-    dam.notch = Notch{c.notch->centre, c.notch->width, c.notch->depth, c.notch->side_slope};
-  if (c.crest || c.height) dam.axis.has_z = false;
-  if (c.crest) dam.crest = *c.crest;
-  if (!c.crest && !c.height && !dam.axis.has_z)
-    throw CaseError(key, "the line has no z, and neither crest nor height is given",
-                    "give crest (elevation, m) or height (above the lowest ground, m)");
-  if (c.height) {
-    const double span = length(dam.axis);
-    const int samples = std::max(2, static_cast<int>(span / scene.surface->elevation().grid.dx));
-    double lowest = scene.surface->height(dam.axis.vertices[0].x, dam.axis.vertices[0].y);
-    for (int k = 1; k <= samples; ++k) {
-      const Vec3d at = point_at(dam.axis, span * k / samples);
-      lowest = std::min(lowest, scene.surface->height(at.x, at.y));
-    }
-    dam.crest = lowest + *c.height;
-  }
-  return dam;
-}
-
-void read_structures(const Case& c, Scene& scene, Faults& faults) {
-  for (std::size_t k = 0; k < c.structures.size(); ++k) {
-    const std::string key = fmt::format("structure[{}]", k + 1);
-    collected(faults, [&] { scene.dams.push_back(make_dam(c.structures[k], key, scene)); });
-  }
-}
 
 void read_zones(const Case& c, Scene& scene, Faults& faults) {
   for (std::size_t k = 0; k < c.zones.size(); ++k) {
@@ -70,6 +44,42 @@ void read_sections(const Case& c, Scene& scene, Faults& faults) {
           {c.sections[k].name, read_line(c.sections[k].line, key, scene.frame)});
     });
   }
+}
+
+void add_gauges(const GaugeCase& gauge, const std::string& key, Scene& scene) {
+  std::vector<Vec3d> places;
+  if (gauge.place) places = {{(*gauge.place)[0], (*gauge.place)[1], 0}};
+  if (!gauge.file.empty()) places = read_points(gauge.file, scene.frame.crs, key + ".file");
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    Vec3d place = moved(scene.frame, places[k]);
+    const std::string name =
+        places.size() > 1 ? fmt::format("{} {}", gauge.name, k + 1) : gauge.name;
+    if (!scene.surface->inside(place.x, place.y))
+      throw CaseError(key, fmt::format("\"{}\" lies outside of the DEM", name),
+                      "check its coordinates, which are those of the DEM");
+    place.z = gauge.elevation.value_or(scene.surface->height(place.x, place.y));
+    scene.gauges.push_back({name, place});
+  }
+}
+
+void read_gauges(const Case& c, Scene& scene, Faults& faults) {
+  for (std::size_t k = 0; k < c.gauges.size(); ++k)
+    collected(faults, [&] { add_gauges(c.gauges[k], fmt::format("gauge[{}]", k + 1), scene); });
+}
+
+/// Every dam and body has a name of its own, under which the outputs have it.
+void check_names(const Scene& scene, Faults& faults) {
+  std::set<std::string> names;
+  const auto check = [&](const std::string& name) {
+    if (names.insert(name).second) return;
+    faults.add("structure", fmt::format("\"{}\" is the name of two structures or bodies", name),
+               "give each its own name; several buildings of one file get a number behind it");
+  };
+  for (const CheckDam& dam : scene.dams) check(dam.name);
+  for (const Body& body : scene.bodies) check(body.name());
+  if (names.size() > std::numeric_limits<std::uint16_t>::max())  // of Particles::body
+    faults.add("structure", fmt::format("there are {} structures and bodies", names.size()),
+               "leave out those that the flow does not reach");
 }
 
 /// On level ground the front is measured along the axis on which it can go farthest.
@@ -106,7 +116,9 @@ Scene make_scene(const Case& c, Faults& faults) {
   if (!scene.surface) return scene;
   read_structures(c, scene, faults);
   read_bodies(c, scene, faults);
+  if (faults.empty()) check_names(scene, faults);
   read_sections(c, scene, faults);
+  read_gauges(c, scene, faults);
   read_zones(c, scene, faults);
   const bool has_release =
       (c.release.dem_before.empty() || scene.lost) &&  // else its fault is known already

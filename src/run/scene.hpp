@@ -3,6 +3,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@
 #include "case/case.hpp"
 #include "particles/particles.hpp"
 #include "terrain/body.hpp"
+#include "terrain/building.hpp"
 #include "terrain/check_dam.hpp"
 #include "terrain/hole_filling.hpp"
 #include "terrain/polyline.hpp"
@@ -27,6 +29,11 @@ struct NamedSection {
 struct NamedZone {
   std::string name;
   std::vector<Polygon> polygons;  ///< solver frame
+};
+
+struct NamedGauge {
+  std::string name;
+  Vec3d place;  ///< solver frame; z is where pressure is measured, m
 };
 
 /// An edit of the ground that was made.
@@ -48,17 +55,26 @@ struct Scene {
   std::vector<std::string> dem_notes;  ///< what was done to the DEM when it was read
   HoleReport holes;
   std::vector<MadeEdit> edits;
-  std::optional<LostGround> lost;  ///< of a release by a pair of DEMs
-  std::vector<CheckDam> dams;
-  std::vector<Body> bodies;  ///< numbered after the dams, see Ground
+  std::optional<LostGround> lost;    ///< of a release by a pair of DEMs
+  std::vector<CheckDam> dams;        ///< check dams first, then deflection walls
+  std::size_t deflection_walls = 0;  ///< how many of them
+  std::vector<Body> bodies;         ///< numbered after the dams, see Ground; buildings are the last
+  std::vector<Building> buildings;  ///< of those bodies
   std::vector<NamedSection> sections;
+  std::vector<NamedGauge> gauges;
   std::vector<NamedZone> zones;
   Polyline path;                 ///< along the valley
   bool path_is_descent = false;  ///< not given, but found by steepest descent
   Particles release;             ///< at rest, at the density of a column at rest
   double release_volume = 0;     ///< m3
+  double release_left_out = 0;   ///< m3 that would stand inside structures and bodies
   double release_depth = 0;      ///< greatest, m
   Vec3d release_centre;
+
+  /// Those that hold back the flow, so that it is asked what they trap.
+  std::span<const CheckDam> check_dams() const {
+    return std::span(dams).first(dams.size() - deflection_walls);
+  }
 };
 
 /// Reads everything a case names. Faults are added, all that can be found at once; the scene is of

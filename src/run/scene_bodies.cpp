@@ -92,10 +92,15 @@ TriangleMesh read_closed_mesh(const BodyCase& c, const std::string& key, double 
   return mesh;
 }
 
+/// Depth to which the flow feels a solid, m.
+double reach_of(const Case& c) {
+  // Sound speed and density do not matter here.
+  return flow_model(c.material, c.numerics, 1).wall_layers() * c.numerics.spacing;
+}
+
 Body body_of(const BodyCase& c, const std::string& key, const Case& all, const Frame& frame) {
   const double spacing = all.numerics.spacing;
-  // Sound speed and density do not matter here.
-  const double reach = flow_model(all.material, all.numerics, 1).wall_layers() * spacing;
+  const double reach = reach_of(all);
   switch (c.kind) {
     case BodyKind::box: {
       const UprightBox box = box_of(c, frame);
@@ -120,6 +125,21 @@ void read_bodies(const Case& c, Scene& scene, Faults& faults) {
     const std::string key = fmt::format("body[{}]", k + 1);
     collected(faults, [&] { scene.bodies.push_back(body_of(c.bodies[k], key, c, scene.frame)); });
   }
+  const double reach = scene.buildings.empty() ? 0 : reach_of(c);
+  for (const Building& building : scene.buildings) {
+    collected(faults,
+              [&] { scene.bodies.push_back(building_body(building, reach, c.numerics.spacing)); });
+  }
+}
+
+bool is_shown_solid(const Case& c, std::size_t index) {
+  if (index >= c.bodies.size()) return true;
+  return c.bodies[index].kind != BodyKind::tank && c.bodies[index].flow == BodyFlow::outside;
+}
+
+TriangleMesh shown_mesh(const Case& c, std::size_t index, const Scene& scene) {
+  const Body& body = scene.bodies[index];
+  return index < c.bodies.size() ? shown_mesh(c.bodies[index], body, scene) : body.mesh();
 }
 
 TriangleMesh shown_mesh(const BodyCase& c, const Body& body, const Scene& scene) {

@@ -35,7 +35,7 @@ Raster release_depth(const Case& c, const Scene& scene) {
 
 /// In the coordinates of the DEM, a dam with the elevation of its crest.
 std::vector<MapLine> plan_lines(const Scene& scene) {
-  std::vector<MapLine> lines = overlay(scene);
+  std::vector<MapLine> lines = overlay(scene, DamLine::whole);
   for (MapLine& line : lines)
     for (Vec3d& vertex : line.line.vertices)
       vertex += Vec3d{scene.frame.origin_x, scene.frame.origin_y, 0};

@@ -117,6 +117,35 @@ void make_hydrostatic(const Case& c, Scene& scene) {
   }
 }
 
+/// Whether a particle would stand in a structure or body, or with a quarter of it in one.
+bool is_in_solid(const Scene& scene, const Vec3d& x, double spacing) {
+  const auto is_in_one = [&](const Vec3d& place) {
+    const auto holds_it = [&](const auto& solid) { return solid.contains(place); };
+    return std::ranges::any_of(scene.dams, holds_it) || std::ranges::any_of(scene.bodies, holds_it);
+  };
+  const double reach = spacing / 4;
+  return is_in_one(x) || is_in_one(x + Vec3d{reach, 0, 0}) || is_in_one(x - Vec3d{reach, 0, 0}) ||
+         is_in_one(x + Vec3d{0, reach, 0}) || is_in_one(x - Vec3d{0, reach, 0});
+}
+
+/// A mass has no place inside of structures.
+void leave_out_of_solids(const Case& c, Scene& scene) {
+  Particles& release = scene.release;
+  std::vector<std::uint32_t> staying;
+  for (std::uint32_t i = 0; i < release.size(); ++i) {
+    if (!is_in_solid(scene, release.position[i], c.numerics.spacing)) {
+      staying.push_back(i);
+      continue;
+    }
+    scene.release_left_out += release.mass[i] / c.material.density;
+  }
+  if (staying.size() == release.size()) return;
+  if (staying.empty())
+    throw CaseError("release", "all of it lies inside of structures or bodies", "move it, or them");
+  release.permute(staying);
+  for (std::uint32_t i = 0; i < release.size(); ++i) release.id[i] = i;
+}
+
 void summarise(const Case& c, Scene& scene) {
   double mass = 0;
   for (std::size_t i = 0; i < scene.release.size(); ++i) {
@@ -131,6 +160,7 @@ void summarise(const Case& c, Scene& scene) {
 
 void read_release(const Case& c, Scene& scene) {
   scene.release = released_by(c, scene);
+  if (!scene.dams.empty() || !scene.bodies.empty()) leave_out_of_solids(c, scene);
   summarise(c, scene);
   c.release.box ? make_level_hydrostatic(c, scene) : make_hydrostatic(c, scene);
   // Last, so that path, sound speed and densities are the same for every seed.

@@ -15,6 +15,7 @@
 #include "run/rest_text.hpp"
 #include "run/run_folder.hpp"
 #include "run/scene_record.hpp"
+#include "run/view.hpp"
 
 namespace sabo {
 namespace {
@@ -84,7 +85,7 @@ class Simulation {
       facts_.sound_speed = std::max(facts_.sound_speed, report.sound_speed);
       facts_.top_mach = std::max(facts_.top_mach, report.flow.speed / report.sound_speed);
       facts_.solver.iterations += static_cast<std::uint64_t>(report.iterations);
-      recorder_.after_step(flow_.stepper().time(), report, flow_.backend().fluid());
+      recorder_.after_step(flow_.stepper(), report, flow_.backend());
       recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
       tell_progress(report);
     }
@@ -126,9 +127,13 @@ class Simulation {
       recorder_.finish(flow_.stepper().time(), flow_.backend().fluid());
     const FlowMaps& flow = recorder_.maps();
     const double spacing = flow_.model().spacing;
-    const RunMaps maps{flow.depth(),        flow.peak_depth(),
-                       flow.peak_speed(),   flow.peak_pressure(),
-                       flow.arrival_time(), layers_map(flow.peak_depth(), spacing),
+    const RunMaps maps{flow.depth(),
+                       flow.peak_depth(),
+                       flow.peak_speed(),
+                       flow.peak_pressure(),
+                       flow.peak_momentum_flux(),
+                       flow.arrival_time(),
+                       layers_map(flow.peak_depth(), spacing),
                        wet_depth(spacing)};
     const std::vector<SeriesRow>& rows = recorder_.rows();
     fill_facts(maps);
@@ -138,11 +143,12 @@ class Simulation {
     attempt([&] { folder_.set_state("failed", "the outputs are incomplete"); });
     attempt([&] { write_maps(maps, case_, scene_, folder_); });
     attempt([&] {
-      auto pictures = draw_pictures(maps, rows, case_, scene_, folder_);
+      auto pictures = draw_pictures(maps, rows, facts_.loads, case_, scene_, folder_);
       write_file_atomically(folder_.index(), index_html(index_page(facts_, case_, scene_, rows,
                                                                    std::move(pictures))));
       result.index = folder_.index();
     });
+    attempt([&] { write_from_frames(folder_.root(), case_, scene_); });
     attempt([&] { write_manifest(facts_, case_, scene_, rows, folder_); });
     result.end = facts_.end;
     result.reason = facts_.reason;
@@ -166,6 +172,7 @@ class Simulation {
     facts_.solver.steps = flow_.stepper().steps();
     facts_.passes = pass_shares(flow_.backend().pass_times(), facts_.solver.wall);
     facts_.motion = recorder_.motion();
+    facts_.loads = recorder_.loads();
     facts_.boundary_particles = flow_.backend().boundary().size();
     facts_.resolution = resolution_guard(maps.peak_depth, flow_.model().spacing);
     for (const double mass : flow_.backend().fluid().mass)

@@ -9,15 +9,14 @@
 
 #include "analysis/columns.hpp"
 #include "base/error.hpp"
-#include "io/case_file/read_case.hpp"
 #include "io/output/file.hpp"
 #include "io/output/index_page.hpp"
 #include "io/output/map_picture.hpp"
-#include "io/output/read_vtp.hpp"
 #include "io/output/scene_picture.hpp"
 #include "run/overlay.hpp"
-#include "run/scene.hpp"
+#include "run/read_frames.hpp"
 #include "run/scene_bodies.hpp"
+#include "run/scene_structures.hpp"
 
 namespace sabo {
 namespace {
@@ -37,35 +36,6 @@ constexpr std::array<Quantity, 3> quantities{
     {{"depth", "Depth", "depth [m]", &Columns::depth, 1},
      {"speed", "Speed", "speed [m/s]", &Columns::speed, 1},
      {"pressure", "Pressure", "greatest pressure in the column [kPa]", &Columns::pressure, 1e-3}}};
-
-const ParticleArray& array_of(const ParticleFrame& frame, const char* name, std::size_t components,
-                              const fs::path& file) {
-  const ParticleArray* array = frame.find(name);
-  if (!array || array->values.size() != components * frame.points.size()) {
-    throw CaseError(file.string(), fmt::format("has no sound array \"{}\"", name),
-                    "run the case again with this version of sabo");
-  }
-  return *array;
-}
-
-/// What pictures need of a frame, in the solver frame of the scene.
-Particles particles_of(const fs::path& file, const Frame& frame) {
-  const ParticleFrame read = read_particles_vtp(file);
-  const auto& velocity = array_of(read, "velocity [m/s]", 3, file).values;
-  const auto& pressure = array_of(read, "pressure [Pa]", 1, file).values;
-  const auto& mass = array_of(read, "mass [kg]", 1, file).values;
-  const Vec3d shift = read.origin - Vec3d{frame.origin_x, frame.origin_y, 0};
-  Particles particles;
-  particles.resize(read.points.size());
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const Vec3f& x = read.points[i];
-    particles.position[i] = shift + Vec3d{x.x, x.y, x.z};
-    particles.velocity[i] = {velocity[3 * i], velocity[3 * i + 1], velocity[3 * i + 2]};
-    particles.pressure[i] = pressure[i];
-    particles.mass[i] = mass[i];
-  }
-  return particles;
-}
 
 /// The frames nearest to the times, each once, in order.
 std::vector<PvdEntry> chosen_frames(const std::vector<PvdEntry>& frames,
@@ -144,10 +114,11 @@ class StatePictures {
     picture.threshold = wet_depth_;
     picture.top = tops_[k];
     picture.view = view_;
-    for (const CheckDam& dam : scene_.dams) picture.walls.push_back(scene_wall(dam));
+    for (const CheckDam& dam : scene_.dams)
+      picture.bodies.push_back({dam.name, shown_mesh(dam, scene_)});
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
       picture.bodies.push_back(
-          {scene_.bodies[b].name(), shown_mesh(case_.bodies[b], scene_.bodies[b], scene_)});
+          {label_of_body(scene_, b), shown_mesh(case_, b, scene_), is_shown_solid(case_, b)});
     picture.lines = overlay(scene_);
     std::erase_if(picture.lines,
                   [](const MapLine& line) { return line.kind == MapLine::Kind::dam; });  // walls
@@ -203,28 +174,11 @@ void remove_pictures(const fs::path& run_folder) {
   for (const fs::path& file : old) fs::remove(file, error);
 }
 
-Scene scene_of_run(const Case& c) {
-  Faults faults;
-  Scene scene = make_scene(c, faults);
-  faults.throw_if_any();
-  return scene;
-}
-
 }  // namespace
 
 fs::path draw_states(const fs::path& run_folder, const std::vector<double>& times) {
-  if (!fs::exists(run_folder / "manifest.toml")) {
-    throw CaseError(run_folder.string(), "is not the folder of a run: it has no manifest.toml",
-                    "give a folder that `sabo run` has written");
-  }
-  Faults faults;
-  const Case c = read_case(run_folder, faults);
-  faults.throw_if_any();
-  const std::vector<PvdEntry> frames = read_pvd(run_folder / "frames" / "flow.pvd");
-  if (frames.empty()) {
-    throw CaseError(run_folder.string(), "has no frames", "run the case again");
-  }
-  const Scene scene = scene_of_run(c);
+  const auto& [c, scene] = scene_of_run(run_folder);
+  const std::vector<PvdEntry> frames = frames_of(run_folder);
 
   remove_pictures(run_folder);
   IndexPage page;

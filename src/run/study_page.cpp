@@ -50,7 +50,7 @@ std::string table_csv(const StudyTable& table) {
 }
 
 /// One line a run.
-std::string runs_csv(const std::vector<StudyRecord>& records, const StudyTable& table) {
+std::string runs_csv(const std::vector<BatchRecord>& records, const StudyTable& table) {
   std::vector<std::string> header{"folder",
                                   "spacing [m]",
                                   "member",
@@ -61,7 +61,7 @@ std::string runs_csv(const std::vector<StudyRecord>& records, const StudyTable& 
                                   "wall time [s]"};
   for (const StudyRow& row : table.rows) header.push_back(row.label);
   std::string text = csv_line(header);
-  for (const StudyRecord& record : records) {
+  for (const BatchRecord& record : records) {
     std::vector<std::string> fields{record.folder,
                                     number(record.spacing),
                                     std::to_string(record.member),
@@ -80,7 +80,7 @@ std::string runs_csv(const std::vector<StudyRecord>& records, const StudyTable& 
   return text;
 }
 
-std::string study_toml(const std::vector<StudyRecord>& records, const StudyTable& table) {
+std::string study_toml(const std::vector<BatchRecord>& records, const StudyTable& table) {
   std::string text =
       fmt::format("# Written by sabo.\n[study]\nversion = {}\nspacings = [{}]  # m\nruns = {}\n",
                   toml_string(build_version), fmt::join(table.spacings, ", "), records.size());
@@ -113,14 +113,14 @@ ChartSeries fitted_curve(const StudyRow& row, const StudyTable& table) {
   return curve;
 }
 
-std::string chart_of(const StudyRow& row, const std::vector<StudyRecord>& records,
+std::string chart_of(const StudyRow& row, const std::vector<BatchRecord>& records,
                      const StudyTable& table) {
   const std::string name = row.label.substr(0, row.label.rfind(" ["));
   LineChart chart{name, "particle spacing [m]", row.label};
   const GridConvergence& result = row.convergence;
   const bool has_curve = row.shows_limit() && result.order > 0;
   ChartSeries runs{"runs", {}, {}, true, !has_curve && !table.has_members};
-  for (const StudyRecord& record : records)
+  for (const BatchRecord& record : records)
     for (const auto& [label, value] : record.quantities)
       if (label == row.label) runs.x.push_back(record.spacing), runs.y.push_back(value);
   double low = std::ranges::min(runs.y), high = std::ranges::max(runs.y);
@@ -138,7 +138,7 @@ std::string chart_of(const StudyRow& row, const std::vector<StudyRecord>& record
   return chart_svg(chart);
 }
 
-IndexPage page_of(const Case& c, const std::vector<StudyRecord>& records, const StudyTable& table,
+IndexPage page_of(const Case& c, const std::vector<BatchRecord>& records, const StudyTable& table,
                   const std::vector<std::string>& warnings) {
   IndexPage page;
   page.title = fmt::format("{}: study of the spacing", c.title.empty() ? "Debris flow" : c.title);
@@ -161,7 +161,7 @@ IndexPage page_of(const Case& c, const std::vector<StudyRecord>& records, const 
   page.files = {{"table.csv", "the quantities by spacing"},
                 {"runs.csv", "the quantities of each run"},
                 {"study.toml", "orders, extrapolated values and uncertainties"}};
-  for (const StudyRecord& record : records)
+  for (const BatchRecord& record : records)
     page.files.push_back({record.folder + "/index.html",
                           fmt::format("the run at {:g} m{}", record.spacing,
                                       record.member > 0 ? fmt::format(", member {}", record.member)
@@ -171,7 +171,7 @@ IndexPage page_of(const Case& c, const std::vector<StudyRecord>& records, const 
 
 }  // namespace
 
-fs::path write_study(const fs::path& folder, const Case& c, const std::vector<StudyRecord>& records,
+fs::path write_study(const fs::path& folder, const Case& c, const std::vector<BatchRecord>& records,
                      const StudyTable& table, const std::vector<std::string>& warnings) {
   std::error_code error;
   const fs::path pictures = folder / "pictures";

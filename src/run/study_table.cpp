@@ -15,16 +15,16 @@ namespace {
 // Celik et al. (2008): below it rounding and scatter pass for an order.
 constexpr double least_ratio = 1.3;
 
-std::optional<double> quantity_of(const StudyRecord& record, const std::string& label) {
+std::optional<double> quantity_of(const BatchRecord& record, const std::string& label) {
   for (const auto& [name, value] : record.quantities)
     if (name == label) return value;
   return std::nullopt;
 }
 
-std::optional<StudyRow::Value> value_at(const std::vector<StudyRecord>& records, double spacing,
+std::optional<StudyRow::Value> value_at(const std::vector<BatchRecord>& records, double spacing,
                                         const std::string& label) {
   std::vector<double> values;
-  for (const StudyRecord& record : records) {
+  for (const BatchRecord& record : records) {
     if (record.spacing != spacing) continue;
     if (const auto value = quantity_of(record, label)) values.push_back(*value);
   }
@@ -77,9 +77,9 @@ std::string remark_on(const StudyRow& row) {
   return fmt::format("{}", fmt::join(remarks, "; "));
 }
 
-std::vector<std::string> labels_of(const std::vector<StudyRecord>& records) {
+std::vector<std::string> labels_of(const std::vector<BatchRecord>& records) {
   std::vector<std::string> labels;
-  for (const StudyRecord& record : records)
+  for (const BatchRecord& record : records)
     for (const auto& [label, value] : record.quantities)
       if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
   return labels;
@@ -101,9 +101,9 @@ std::string number_text(double value, int digits) {
   return fmt::format("{:.{}f}", value, std::clamp(digits - whole_digits, 0, 7));
 }
 
-StudyTable study_table(const std::vector<StudyRecord>& records) {
+StudyTable study_table(const std::vector<BatchRecord>& records) {
   StudyTable table;
-  for (const StudyRecord& record : records) {
+  for (const BatchRecord& record : records) {
     table.spacings.push_back(record.spacing);
     table.has_members = table.has_members || record.member > 0;
   }
@@ -147,13 +147,13 @@ PageTable quantities_table(const StudyTable& table) {
   return page;
 }
 
-PageTable runs_table(const std::vector<StudyRecord>& records) {
+PageTable runs_table(const std::vector<BatchRecord>& records) {
   PageTable page;
   page.caption = "Runs";
   page.header = {"folder",        "spacing [m]",  "particles",
                  "simulated [s]", "came to rest", "median particles in the depth",
                  "wall time [s]"};
-  for (const StudyRecord& record : records) {
+  for (const BatchRecord& record : records) {
     page.rows.push_back({record.folder, fmt::format("{:g}", record.spacing),
                          fmt::format("{:.0f}", record.particles),
                          fmt::format("{:.1f}", record.simulated), record.at_rest ? "yes" : "no",
@@ -163,7 +163,7 @@ PageTable runs_table(const std::vector<StudyRecord>& records) {
   return page;
 }
 
-std::vector<std::string> study_warnings(const std::vector<StudyRecord>& records,
+std::vector<std::string> study_warnings(const std::vector<BatchRecord>& records,
                                         const StudyTable& table) {
   std::vector<std::string> warnings;
   for (std::size_t k = 1; k < table.spacings.size(); ++k) {
@@ -174,13 +174,13 @@ std::vector<std::string> study_warnings(const std::vector<StudyRecord>& records,
           fine, least_ratio));
   }
   double fewest = std::numeric_limits<double>::infinity();
-  for (const StudyRecord& record : records) fewest = std::min(fewest, record.median_layers);
+  for (const BatchRecord& record : records) fewest = std::min(fewest, record.median_layers);
   if (fewest < ResolutionGuard::enough_layers)
     warnings.push_back(fmt::format(
         "the coarsest flow is {:.1f} particles deep: below {:g} the error of a thin layer need not "
         "follow any order",
         fewest, ResolutionGuard::enough_layers));
-  const auto moving = std::ranges::count(records, false, &StudyRecord::at_rest);
+  const auto moving = std::ranges::count(records, false, &BatchRecord::at_rest);
   if (moving > 0)
     warnings.push_back(
         fmt::format("{} of {} runs ended while the flow still moved: run-out and deposit are those "

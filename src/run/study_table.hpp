@@ -7,7 +7,7 @@
 
 #include "analysis/convergence.hpp"
 #include "io/output/index_page.hpp"
-#include "run/study_record.hpp"
+#include "run/batch_record.hpp"
 
 namespace sabo {
 
@@ -37,16 +37,16 @@ struct StudyTable {
 };
 
 /// Quantities of all runs in the order in which they first come.
-StudyTable study_table(const std::vector<StudyRecord>& records);
+StudyTable study_table(const std::vector<BatchRecord>& records);
 
 /// The table as text, a column for each spacing.
 PageTable quantities_table(const StudyTable& table);
 
 /// Times and sizes of the runs.
-PageTable runs_table(const std::vector<StudyRecord>& records);
+PageTable runs_table(const std::vector<BatchRecord>& records);
 
 /// What to be aware of when the table is read, a sentence each.
-std::vector<std::string> study_warnings(const std::vector<StudyRecord>& records,
+std::vector<std::string> study_warnings(const std::vector<BatchRecord>& records,
                                         const StudyTable& table);
 
 /// A number with so many digits, more before the point if need be, and without an exponent.

@@ -15,7 +15,7 @@ std::string volume(const std::optional<double>& value) { return value ? amount_t
 
 PageTable volumes_at(const Case& c, const Scene& scene, const SeriesRow& row, std::size_t dam) {
   const VolumeRow& volumes = row.volumes[dam];
-  const bool has_dam = dam < scene.dams.size();
+  const bool has_dam = dam < scene.check_dams().size();
   PageTable table;
   table.caption = fmt::format("Volumes at {:.1f} s [m3]", row.time);
   if (has_dam) table.caption += ", " + scene.dams[dam].name;

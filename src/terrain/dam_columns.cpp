@@ -18,68 +18,114 @@ void refuse_unless_fits(double count, double most, const std::string& place) {
                   "check its line, thickness and crest, or raise numerics.spacing");
 }
 
-/// Stations between which both the line and the top of the wall are straight.
-std::vector<double> corners(const CheckDam& dam) {
-  const double end = length(dam.axis);
-  std::vector<double> stations{0, end};
-  double station = 0;
-  for (std::size_t k = 1; k < dam.axis.vertices.size(); ++k) {
-    const Vec3d step = dam.axis.vertices[k] - dam.axis.vertices[k - 1];
-    station += std::hypot(step.x, step.y);
-    stations.push_back(station);
-  }
-  if (dam.notch) {
-    const double half_sill = dam.notch->width / 2;
-    const double half_crest = half_sill + dam.notch->side_slope * dam.notch->depth;
-    for (const double half : {half_sill, half_crest}) {
-      stations.push_back(dam.notch->centre - half);
-      stations.push_back(dam.notch->centre + half);
-    }
-  }
-  for (double& s : stations) s = std::clamp(s, 0.0, end);
-  std::sort(stations.begin(), stations.end());
-  // Corners closer than this are one corner with rounding errors.
-  const double tolerance = 1e-9 * (1 + end);
-  const auto same = [&](double a, double b) { return b - a < tolerance; };
-  stations.erase(std::unique(stations.begin(), stations.end(), same), stations.end());
-  return stations;
-}
-
 /// Number of parts no longer than `longest`.
 double parts(double whole, double longest) { return std::ceil(whole / longest - 1e-9); }
+
+/// The middle of a piece and its length, m.
+struct Place {
+  double at = 0;
+  double length = 0;
+};
+
+/// Pieces of equal length, at most `longest` each and at least `fewest`.
+std::vector<Place> places(double from, double to, double longest, double fewest) {
+  const double count = std::max(fewest, parts(to - from, longest));
+  const double step = (to - from) / count;
+  std::vector<Place> result;
+  for (int k = 0; k < count; ++k) result.push_back({from + (k + 0.5) * step, step});
+  return result;
+}
+
+/// A place in plan and where it lies along and beside the axis.
+struct Foot {
+  double x, y;
+  double station, offset;
+};
+
+void add_column(const CheckDam& dam, const Surface& surface, const Foot& foot, double area,
+                std::vector<DamColumn>& columns) {
+  if (!surface.inside(foot.x, foot.y)) return;
+  const double ground = surface.height(foot.x, foot.y);
+  for (const DamPart& part : solid_parts(dam, foot.station, foot.offset, ground))
+    columns.push_back({foot.x, foot.y, part.bottom, part.top, area});
+}
+
+void add_straight(const CheckDam& dam, const Surface& surface, const Place& along,
+                  const Place& aside, std::vector<DamColumn>& columns) {
+  const Vec3d middle = point_at(dam.axis, along.at);
+  const Vec3d direction = direction_at(dam.axis, along.at);
+  const Foot foot{middle.x - aside.at * direction.y, middle.y + aside.at * direction.x, along.at,
+                  aside.at};
+  // In a bend the pieces of the line overlap on its inner side, where the nearest one has a place;
+  // the earlier one if they are equally near.
+  const Vec3d back = 1e-6 * dam.thickness * direction;
+  const double nearest = project(dam.axis, foot.x - back.x, foot.y - back.y).station;
+  if (std::abs(nearest - along.at) > 1e-5 * dam.thickness) return;
+  add_column(dam, surface, foot, along.length * aside.length, columns);
+}
+
+/// The sector of a circle by which the pieces of the line part on the outer side of a bend.
+void add_bend(const CheckDam& dam, const Surface& surface, double station, double spacing,
+              std::vector<DamColumn>& columns) {
+  const double hair = 1e-6 * dam.thickness;
+  const Vec3d vertex = point_at(dam.axis, station);
+  const Vec3d before = direction_at(dam.axis, station - hair);
+  const Vec3d after = direction_at(dam.axis, station + hair);
+  const double turn =
+      std::atan2(before.x * after.y - before.y * after.x, before.x * after.x + before.y * after.y);
+  if (std::abs(turn) < 1e-6) return;
+  const double side = turn > 0 ? -1 : 1;  // left of the line is positive
+  const double first = std::atan2(side * before.x, -side * before.y);
+  for (const Place& radius : places(0, dam.thickness / 2, spacing, 1)) {
+    const double count = std::max(1.0, parts(radius.at * std::abs(turn), spacing));
+    const double area = radius.length * radius.at * std::abs(turn) / count;
+    for (int k = 0; k < count; ++k) {
+      const double angle = first + turn * (k + 0.5) / count;
+      add_column(dam, surface,
+                 {vertex.x + radius.at * std::cos(angle), vertex.y + radius.at * std::sin(angle),
+                  station, side * radius.at},
+                 area, columns);
+    }
+  }
+}
+
+void add_bends(const CheckDam& dam, const Surface& surface, double spacing,
+               std::vector<DamColumn>& columns) {
+  double station = 0;
+  const std::vector<Vec3d>& vertices = dam.axis.vertices;
+  for (std::size_t k = 1; k + 1 < vertices.size(); ++k) {
+    station += std::hypot(vertices[k].x - vertices[k - 1].x, vertices[k].y - vertices[k - 1].y);
+    add_bend(dam, surface, station, spacing, columns);
+  }
+}
 
 }  // namespace
 
 std::vector<DamColumn> dam_columns(const CheckDam& dam, const Surface& surface, double spacing) {
   const std::string place = "structure " + dam.name;
-  const double across = std::max(2.0, parts(dam.thickness, spacing));
-  refuse_unless_fits(across * parts(length(dam.axis), spacing), most_columns, place);
-  const std::vector<double> stations = corners(dam);
+  refuse_unless_fits(parts(dam.thickness, spacing) * parts(length(dam.axis), spacing), most_columns,
+                     place);
   std::vector<DamColumn> columns;
+  const std::vector<double> stations = dam_stations(dam);
   for (std::size_t k = 1; k < stations.size(); ++k) {
-    const double along = std::max(1.0, parts(stations[k] - stations[k - 1], spacing));
-    const double ds = (stations[k] - stations[k - 1]) / along;
-    const double dn = dam.thickness / across;
-    for (int i = 0; i < along; ++i) {
-      const double station = stations[k - 1] + (i + 0.5) * ds;
-      const Vec3d foot = point_at(dam.axis, station);
-      const Vec3d direction = direction_at(dam.axis, station);
-      const double top = dam.top(station);
-      for (int j = 0; j < across; ++j) {
-        const double offset = (j + 0.5) * dn - dam.thickness / 2;
-        const double x = foot.x - offset * direction.y;
-        const double y = foot.y + offset * direction.x;
-        const double bottom = surface.height(x, y);
-        if (surface.inside(x, y) && bottom < top) columns.push_back({x, y, bottom, top, ds * dn});
-      }
+    const double middle = (stations[k - 1] + stations[k]) / 2;
+    const std::vector<double> offsets = dam_offsets(dam, middle);
+    // The wall, or what stays of it between openings, is a plate: it has a row under each face.
+    const std::size_t core = (offsets.size() - 1) / 2;
+    for (std::size_t j = 1; j < offsets.size(); ++j) {
+      const std::vector<Place> across =
+          places(offsets[j - 1], offsets[j], spacing, j - 1 == core ? 2 : 1);
+      for (const Place& along : places(stations[k - 1], stations[k], spacing, 1))
+        for (const Place& aside : across) add_straight(dam, surface, along, aside, columns);
     }
   }
+  add_bends(dam, surface, spacing, columns);
   double particles = 0;
   for (const DamColumn& column : columns) particles += (column.top - column.bottom) / spacing;
   refuse_unless_fits(particles, most_particles, place);
   if (columns.empty()) {
     throw CaseError(place, "no part of the dam stands above the ground inside the DEM",
-                    "check its line and its crest");
+                    "check its line, its crest and its openings");
   }
   return columns;
 }

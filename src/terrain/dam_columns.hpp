@@ -9,7 +9,7 @@
 
 namespace sabo {
 
-/// Upright piece of a dam, from the ground to the top.
+/// Upright piece of a dam, from the ground or the upper edge of an opening upwards.
 struct DamColumn {
   double x = 0;
   double y = 0;
@@ -19,10 +19,12 @@ struct DamColumn {
   std::uint16_t body = 0;  ///< number of the dam among the bodies, from 1
 };
 
-/// Columns at most `spacing` (m) apart that fill the wall, at least two across. Along the line they
-/// are spaced evenly between the corners of its plan and of its top, so that each column stands
-/// under a straight piece of crest and the volume is exact. Places outside the surface's domain and
-/// below its ground have none. Throws CaseError when no column is left, or far too many are asked.
+/// Columns at most `spacing` (m) apart that fill the wall and leave its openings free, at least two
+/// across. Along the line they are spaced evenly between the corners of its plan, its top and its
+/// openings, so that each column stands under a straight piece of crest and the volume is exact
+/// where the line is straight; in its bends the outer side is rounded, as contains() has it.
+/// Places outside the surface's domain and below its ground have none. Throws CaseError when no
+/// column is left, or far too many are asked.
 std::vector<DamColumn> dam_columns(const CheckDam& dam, const Surface& surface, double spacing);
 
 /// Appends the particles of a column, at most `settings.spacing` apart.

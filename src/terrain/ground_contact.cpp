@@ -1,6 +1,6 @@
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <vector>
 
 #include "terrain/ground.hpp"
 
@@ -53,7 +53,8 @@ Vec3d Ground::out_of_ground(const Vec3d& point) const {
   return found ? found->point + hair * settings_.spacing * found->normal : lifted(point);
 }
 
-/// Through the nearest of the top, the two faces and the two ends that leads out of the solid.
+/// Through the nearest of the top, the two faces, the two ends and the sides of its openings that
+/// leads out of the solid.
 Vec3d Ground::out_of_dam(const CheckDam& dam, const Vec3d& point) const {
   const double gap = hair * settings_.spacing;
   const double end = length(dam.axis);
@@ -63,10 +64,19 @@ Vec3d Ground::out_of_dam(const CheckDam& dam, const Vec3d& point) const {
     const Vec3d along = direction_at(dam.axis, station);
     return Vec3d{foot.x - offset * along.y, foot.y + offset * along.x, point.z};
   };
+  const auto at_height = [&](double z) { return Vec3d{point.x, point.y, z}; };
   const double face = dam.thickness / 2 + gap;
-  std::array<Vec3d, 5> ways{at(place.station, face), at(place.station, -face),
-                            at(-gap, place.offset), at(end + gap, place.offset),
-                            Vec3d{point.x, point.y, dam.top(place.station) + gap}};
+  std::vector<Vec3d> ways{at(place.station, face), at(place.station, -face), at(-gap, place.offset),
+                          at(end + gap, place.offset), at_height(dam.top(place.station) + gap)};
+  for (const Opening& opening : dam.openings) {
+    ways.insert(ways.end(),
+                {at(opening.from + gap, place.offset), at(opening.to - gap, place.offset)});
+    const double side = opening.core / 2 + gap;
+    if (opening.core > 0)
+      ways.insert(ways.end(), {at(place.station, side), at(place.station, -side)});
+    for (const double z : {opening.bottom + gap, opening.top - gap})
+      if (std::isfinite(z)) ways.push_back(at_height(z));
+  }
   std::stable_sort(ways.begin(), ways.end(), [&](const Vec3d& a, const Vec3d& b) {
     return norm(a - point) < norm(b - point);
   });

@@ -138,6 +138,8 @@ TEST(FlowMaps, peaks_arrival_and_final_depth_of_a_moving_particle) {
   maps.update(2, particle);
 
   EXPECT_DOUBLE_EQ(maps.peak_depth().at(0, 0), 0.4);
+  EXPECT_DOUBLE_EQ(maps.peak_momentum_flux().at(0, 0), 1000 * 0.4 * 25);
+  EXPECT_DOUBLE_EQ(maps.peak_momentum_flux().at(2, 1), 1000 * 0.4 * 4);
   EXPECT_DOUBLE_EQ(maps.peak_depth().at(2, 1), 0.4);
   EXPECT_EQ(maps.peak_depth().at(1, 1), 0);
   EXPECT_DOUBLE_EQ(maps.peak_speed().at(0, 0), 5);

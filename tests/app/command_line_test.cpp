@@ -25,8 +25,8 @@ TEST(CommandLine, WithoutACommandIsAUsageErrorThatHelps) {
 }
 
 TEST(CommandLine, HelpIsNoError) {
-  for (const char* command :
-       {"", "new", "check", "run", "study", "plot", "report", "info", "models", "bench"}) {
+  for (const char* command : {"", "new", "check", "run", "study", "plot", "report", "compare",
+                              "hazard", "export", "info", "models", "bench"}) {
     const Outcome outcome = run_shell(std::string("sabo ") + command + " --help");
     EXPECT_EQ(outcome.code, 0) << command;
     EXPECT_THAT(outcome.text, HasSubstr("Usage: sabo")) << command;

@@ -26,6 +26,12 @@ to a result is in [method.md](method.md). The ground is `terrain.dem` or `terrai
 give a release choose one: `polygon`, `thickness_raster`, `points`, `box`, or `dem_before` with `dem_after`.
 A dam needs `crest`, `height` or a line with z.
 
+A structure is of one `kind`, whose keys say so. A slit with a sill is one more notch, one with a
+height a culvert. Openings should be four particles wide: `sabo check` says which spacing does it for
+the ones that are narrower, and below two particles an opening is refused, for nothing would pass.
+Outlines of buildings may touch, and holes in them are courtyards; they must not overlap by more than
+1 % of the smaller one. In the outputs structures and bodies go by their names, all different.
+
 A body is of one `kind`, whose keys say so. What flows meets its surface: particles fill it to the depth
 of the kernel, so boxes and plates should be some spacings thick. A mesh must be closed; parts of it may
 overlap, and a part within another is a cavity. Where bodies, dams and ground overlap the ground comes

@@ -117,10 +117,9 @@ TEST(KeyFaults, MissingTable) {
 
 TEST(KeyFaults, MissingKeysOfAListAndItsTable) {
   EXPECT_THAT(added("[[structure]]\nline = \"dam.gpkg\"\n[structure.notch]\ncentre = 1\nwidth = 1"),
-              ElementsAre("case.toml:11 structure[1].thickness: is missing; "
+              ElementsAre("case.toml:13 structure[1].notch.depth: is missing; "
                           "give a number above 0, at most 10000 m",
-                          "case.toml:13 structure[1].notch.depth: is missing; "
-                          "give a number above 0, at most 10000 m"));
+                          "case.toml:11 structure[1].thickness: is missing; give it, in m"));
 }
 
 TEST(KeyFaults, TablesOfTheWrongForm) {

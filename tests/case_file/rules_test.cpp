@@ -225,7 +225,7 @@ TEST(Rules, ConcentrationAndViscosityAgree) {
 TEST(Rules, KindOfStructure) {
   EXPECT_THAT(dam("line = \"dam.gpkg\"\nkind = \"net\"\n"),
               ElementsAre("case.toml:14 structure[1].kind: \"net\" is not known; "
-                          "give \"check_dam\""));
+                          "give \"check_dam\", \"deflection_wall\" or \"building\""));
 }
 
 TEST(Rules, DamHasOneCrest) {
@@ -259,6 +259,17 @@ TEST(Rules, LinesHaveALength) {
   EXPECT_THAT(messages(smallest_case + "[path]\nline = [[1, 1], [1, 1]]\n"),
               ElementsAre("case.toml:12 path.line: all its points are at one place; "
                           "give a line of some length"));
+}
+
+TEST(Rules, GaugesHaveOnePlaceOrAFile) {
+  EXPECT_THAT(messages(smallest_case + "[[gauge]]\nplace = [1, 2]\n"), IsEmpty());
+  EXPECT_THAT(
+      messages(smallest_case + "[[gauge]]\nname = \"a\"\n"),
+      ElementsAre("case.toml:11 gauge[1]: has no place; give one of place = [x, y] and file"));
+  EXPECT_THAT(
+      messages(smallest_case + "[[gauge]]\nplace = [1, 2]\nfile = \"path.gpkg\"\n"),
+      ElementsAre("case.toml:11 gauge[1]: has a place and a file; give one of place = [x, y] "
+                  "and file"));
 }
 
 TEST(Rules, NamesAreUnique) {

@@ -90,6 +90,7 @@ TEST_F(Vectors, SplitsCollectionsAndLeavesOtherGeometriesOut) {
   EXPECT_THAT(lines[0].vertices, ElementsAre(Vec3d{0, 0, 0}, Vec3d{1, 0, 0}));
   EXPECT_THAT(lines[2].vertices, ElementsAre(Vec3d{7, 7, 0}, Vec3d{8, 8, 0}));
   EXPECT_EQ(read_polygons(file, utm54_, "release.polygon").size(), 1u);
+  EXPECT_THAT(read_points(file, utm54_, "gauge[1].file"), ElementsAre(Vec3d{5, 5, 0}));
 }
 
 TEST_F(Vectors, SaysWhatIsMissing) {

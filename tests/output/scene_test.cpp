@@ -9,6 +9,7 @@
 #include "io/output/scene_overlay.hpp"
 #include "io/output/scene_picture.hpp"
 #include "io/output/scene_shading.hpp"
+#include "terrain/dam_mesh.hpp"
 #include "terrain/valley.hpp"
 
 namespace sabo {
@@ -92,11 +93,7 @@ class FieldScene : public testing::Test {
     draw_mesh(canvas_, mesh_, view_);
   }
   // A wall from west to east, 10 m high, 2 m thick, its axis at y = 20.
-  void build_wall() {
-    wall_ = {"wall", {{{5, 20, 0}, {35, 20, 0}}, false}, 2, [](double) { return 15.0; }};
-    pieces_ = wall_pieces(wall_, mesh_);
-    draw_wall(canvas_, pieces_, view_, {0, 0, 1});
-  }
+  void build_wall() { draw_body(canvas_, wall_, mesh_, view_, {0, 0, 1}); }
   ScenePage page() const { return {mesh_, canvas_, view_, 0, 0, 600, 400}; }
   const CanvasSample& sample_at(const Vec3d& point) const {
     const CanvasCorner corner = view_.corner(point);
@@ -108,8 +105,7 @@ class FieldScene : public testing::Test {
   SceneMesh mesh_;
   CanvasView view_;
   DepthCanvas canvas_;
-  SceneWall wall_;
-  std::vector<std::vector<WallCut>> pieces_;
+  SceneBody wall_{"wall", box_mesh({{5, 19, 3}, {35, 21, 15}, {}, 0})};
 };
 
 TEST_F(FieldScene, AWallHidesWhatIsBehindIt) {
@@ -132,7 +128,7 @@ TEST_F(FieldScene, LinesBehindAWallAreLeftOut) {
   const MapLine before{MapLine::Kind::section, "before", {{{10, 10, 0}, {30, 10, 0}}, false}};
   EXPECT_EQ(draw_draped(page(), behind, labels), "");
   EXPECT_THAT(draw_draped(page(), before, labels), HasSubstr("<path d=\"M"));
-  label_wall(page(), wall_, pieces_, labels);
+  label_body(page(), wall_, labels);
   EXPECT_THAT(labels.svg(), Not(HasSubstr(">behind<")));
   EXPECT_THAT(labels.svg(), HasSubstr(">before<"));
   EXPECT_THAT(labels.svg(), HasSubstr(">wall<"));
@@ -149,28 +145,6 @@ TEST_F(FieldScene, LabelsKeepOffEachOther) {
   labels.add("hidden", "#000000", {{100, 200, false}});
   labels.add("outside", "#000000", {{100, 1, true}});
   EXPECT_EQ(labels.svg(), before);
-}
-
-TEST_F(FieldScene, AWallOutsideTheMeshIsLeftOut) {
-  wall_ = {"w", {{{-50, 20, 0}, {90, 20, 0}}, false}, 2, [](double) { return 15.0; }};
-  const auto pieces = wall_pieces(wall_, mesh_);
-  // From the first to the last cell centre, x = 0.5 to 39.5, in steps of a quarter of 2 m.
-  ASSERT_FALSE(pieces.empty());
-  EXPECT_NEAR(pieces.front().front().left.x, 0.5, 0.5);
-  EXPECT_NEAR(pieces.front().back().left.x, 39.5, 0.5);
-  EXPECT_DOUBLE_EQ(pieces.front().front().left.y, 21);
-  EXPECT_DOUBLE_EQ(pieces.front().front().right.y, 19);
-  EXPECT_DOUBLE_EQ(pieces.front().front().left.z, 15);
-  wall_.axis = {{{-50, 90, 0}, {90, 90, 0}}, false};
-  for (const auto& piece : wall_pieces(wall_, mesh_)) EXPECT_TRUE(piece.empty());
-}
-
-TEST(SceneWall, ACheckDamKeepsItsNotch) {
-  const CheckDam dam = valley_dam();
-  const SceneWall wall = scene_wall(dam);
-  EXPECT_EQ(wall.label, "dam");
-  EXPECT_DOUBLE_EQ(wall.top(dam.notch->centre), dam.crest - 1.5);
-  EXPECT_DOUBLE_EQ(wall.top(dam.notch->centre + 6), dam.crest);
 }
 
 TEST(SceneShading, GroundIsGreyFlowColouredAndWallsRed) {
@@ -223,7 +197,7 @@ TEST_F(FieldScene, ABodyIsSeenFromOutside) {
 }
 
 TEST_F(FieldScene, ATankIsSeenInto) {
-  SceneBody tank{"", box_mesh({{10, 15, 5}, {30, 25, 10}, {}, 0})};
+  SceneBody tank{"", box_mesh({{10, 15, 5}, {30, 25, 10}, {}, 0}), false};
   std::erase_if(tank.mesh.triangles, [&](const Triangle& t) {
     return tank.mesh.vertices[t[0]].z + tank.mesh.vertices[t[1]].z + tank.mesh.vertices[t[2]].z ==
            15;  // its floor
@@ -235,11 +209,24 @@ TEST_F(FieldScene, ATankIsSeenInto) {
 }
 
 TEST(SceneBodies, AreCutAtTheEdgesOfTheView) {
-  const TriangleMesh box = box_mesh({{0, 0, 0}, {4, 2, 1}, {}, 0});
-  // Floor and top from x = 1 to 3 and y = 0 to 1, the side at y = 0 between them.
-  EXPECT_NEAR(area(within({1, -1, 3, 1}, box)), 2 + 2 + 2, 1e-12);
-  EXPECT_NEAR(area(within({-1, -1, 9, 9}, box)), area(box), 1e-12);
-  EXPECT_EQ(within({5, 0, 9, 9}, box).triangles.size(), 0u);
+  SceneBody box{"", box_mesh({{0, 0, 0}, {4, 2, 1}, {}, 0})};
+  // From x = 1 to 3 and y = 0 to 1, a closed box again.
+  const TriangleMesh part = within({1, -1, 3, 1}, box).mesh;
+  EXPECT_NEAR(area(part), 2 * (2 + 2 + 1), 1e-12);
+  EXPECT_NEAR(volume(part), 2, 1e-12);
+  EXPECT_NEAR(area(within({-1, -1, 9, 9}, box).mesh), area(box.mesh), 1e-12);
+  EXPECT_EQ(within({5, 0, 9, 9}, box).mesh.triangles.size(), 0u);
+  // A hollow has floor and top, and the side at y = 0 between them.
+  box.is_solid = false;
+  EXPECT_NEAR(area(within({1, -1, 3, 1}, box).mesh), 2 + 2 + 2, 1e-12);
+}
+
+TEST(SceneBodies, EachPartOfACutIsClosed) {
+  // A U of three boxes, cut through its two arms.
+  SceneBody body{"", box_mesh({{0, 0, 0}, {3, 1, 1}, {}, 0})};
+  append(body.mesh, box_mesh({{0, 1, 0}, {1, 4, 1}, {}, 0}));
+  append(body.mesh, box_mesh({{2, 1, 0}, {3, 4, 1}, {}, 0}));
+  EXPECT_NEAR(volume(within({-1, -1, 9, 2}, body).mesh), 3 + 1 + 1, 1e-12);
 }
 
 // The text of a picture without its pixels.
@@ -253,7 +240,7 @@ std::string text_of(const std::string& svg) {
 ScenePicture valley_scene() {
   ScenePicture scene{.title = "Flow & dam", .quantity = "depth [m]", .threshold = 0.05};
   scene.view = {0, -80, 1200, 80};
-  scene.walls = {scene_wall(valley_dam())};
+  scene.bodies = {{"dam", dam_mesh(valley_dam(), Surface(valley_dem(5)), 5)}};
   scene.lines = {{MapLine::Kind::path, "", valley_path()}};
   return scene;
 }

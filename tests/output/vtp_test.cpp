@@ -119,7 +119,7 @@ TEST_F(Vtp, RefusesArraysThatDoNotFitAndValuesThatAreNotFinite) {
   frame.points = points;
   const std::vector<float> three{1, 2, 3};
   frame.arrays = {{"p", 1, std::span(three)}};
-  EXPECT_THAT(run_error_of([&] { written(frame); }), HasSubstr("p has 3 values for 2 particles"));
+  EXPECT_THAT(run_error_of([&] { written(frame); }), HasSubstr("p has 3 values for 2 points"));
   const std::vector<float> bad{1, std::numeric_limits<float>::quiet_NaN()};
   frame.arrays = {{"p", 1, std::span(bad)}};
   EXPECT_THAT(run_error_of([&] { written(frame); }), HasSubstr("p holds nan"));
@@ -152,6 +152,27 @@ TEST_F(Vtp, MeshHasItsTrianglesAndNumbers) {
   EXPECT_THAT(file.array<float>("body"), ElementsAre(1, 1, 1, 2));
   EXPECT_THAT(file.array<std::int32_t>("connectivity"), ElementsAre(0, 2, 1, 0, 1, 3));
   EXPECT_THROW(write_mesh_vtp(folder_ / "b.vtp", mesh, {1, 1}, {}), RunError);
+}
+
+TEST_F(Vtp, MovingSurfaceHasItsTimeTrianglesAndArrays) {
+  const TriangleMesh mesh{{{0, 0, 5}, {1, 0, 6}, {0, 2, 7}}, {{0, 1, 2}}};
+  const std::vector<float> depth{0, 1, 2};
+  write_moving_surface_vtp(folder_ / "s.vtp", {.time = 2.5,
+                                               .origin = {10, 20, 0},
+                                               .mesh = mesh,
+                                               .arrays = {{"depth [m]", 1, std::span(depth)}}});
+  const VtpReader file(folder_.read("s.vtp"));
+  EXPECT_THAT(file.array<float>("position [m]"), ElementsAre(0, 0, 5, 1, 0, 6, 0, 2, 7));
+  EXPECT_EQ(file.array<float>("depth [m]"), depth);
+  EXPECT_THAT(file.array<std::int32_t>("connectivity"), ElementsAre(0, 1, 2));
+  EXPECT_THAT(file.array<std::int32_t>("offsets"), ElementsAre(3));
+  EXPECT_THAT(file.text(), HasSubstr("NumberOfPoints=\"3\" NumberOfVerts=\"0\""));
+  EXPECT_THAT(file.text(), HasSubstr("NumberOfPolys=\"1\""));
+  EXPECT_THAT(file.text(), HasSubstr("format=\"ascii\">2.5</DataArray>"));
+  const std::vector<float> bad{0, 1, std::numeric_limits<float>::infinity()};
+  EXPECT_THROW(write_moving_surface_vtp(folder_ / "s.vtp",
+                                        {.mesh = mesh, .arrays = {{"a", 1, std::span(bad)}}}),
+               RunError);
 }
 
 TEST_F(Vtp, ListOfFramesIsCompleteAfterEachFrame) {

@@ -171,20 +171,26 @@ TEST(Report, BearsBrokenFiles) {
 TEST(Report, ShowsLoadsBesideDesignFormulas) {
   const MadeRun run;
   EXPECT_THAT(run.report(), Not(HasPiece("Loads on structures")));
+  run.write("series/loads.csv",
+            "time [s],wall force x [N],wall force y [N],wall hydrostatic [N]\n"
+            "0,0,0,0\n1,3000,4000,2500\n");
   run.write(
-      "series/loads.csv",
-      "time [s],wall force x [N],wall force y [N],wall force z [N]\n0,0,0,0\n1,3000,4000,7\n");
+      "series/pressure_profiles.csv",
+      "structure,time [s],bottom [m],top [m],force x [N],force y [N],width [m],pressure [Pa]\n"
+      "wall,0,20,21,0,0,4,8000\nwall,1,20,21,0,0,4,9000\nwall,1,21,22,0,0,4,2000\nwall,2,2");
   run.write("manifest.toml", MadeRun::manifest("finished", "") +
                                  "[[load]]\nname = \"wall\"\npeak_force = 6500\npeak_time = 1.5\n"
-                                 "filter = 0.1\nhydrostatic = 2500\ndynamic = 9000\nalpha = 2\n");
+                                 "filter = 0.1\nimpulse = [30e3, 40e3, 7]\nhydrostatic = 2500\n"
+                                 "dynamic = 9000\nalpha = 2\n");
   const ReportText html = run.report();
-  EXPECT_THAT(html,
-              AllOf(HasPiece("The greatest horizontal force was 6.5 kN, on “wall” after 1.5 s"),
-                    HasPiece("<td>wall</td><td>6.5</td><td>1.5</td><td>0.1</td><td>2.5</td>"
-                             "<td>9</td>"),
-                    HasPiece("\"y\":[0,5]"),  // 3 and 4 kN at right angles
-                    HasPiece("{\"y\":2.5,\"label\":\"hydrostatic\"}"),
-                    HasPiece("<td>alpha</td><td>2</td>")));
+  EXPECT_THAT(html, HasPiece("The greatest horizontal force was 6.5 kN, on “wall” after 1.5 s"));
+  // The impulse is that along x and y, 30 and 40 kN s; a moment is not given.
+  EXPECT_THAT(html, HasPiece("<td>wall</td><td>6.5</td><td>1.5</td><td>0.1</td><td>–</td>"
+                             "<td>50</td><td>2.5</td><td>9</td><td>2</td>"));
+  EXPECT_THAT(html, HasPiece("\"y\":[0,5]")) << "3 and 4 kN at right angles";
+  EXPECT_THAT(html, HasPiece("\"y\":[0,2.5]")) << "a formula over time";
+  EXPECT_THAT(html, HasPiece("{\"y\":9,\"label\":\"α ρ h v²\"}")) << "one at the peak only";
+  EXPECT_THAT(html, HasPiece("\"x\":[20.5,21.5],\"y\":[9,2]")) << "greatest by height, kPa";
 }
 
 TEST(Report, SetsAnotherRunBesideThisOne) {

@@ -8,11 +8,11 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "run/batch_record.hpp"
 #include "run/new_case.hpp"
 #include "run/scene.hpp"
 #include "run/simulation.hpp"
 #include "run/study_plan.hpp"
-#include "run/study_record.hpp"
 #include "run/study_table.hpp"
 
 namespace sabo {
@@ -21,9 +21,9 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-StudyRecord record(double spacing, std::vector<std::pair<std::string, double>> quantities,
+BatchRecord record(double spacing, std::vector<std::pair<std::string, double>> quantities,
                    int member = 0) {
-  StudyRecord made;
+  BatchRecord made;
   made.spacing = spacing;
   made.member = member;
   made.at_rest = true;
@@ -47,7 +47,7 @@ TEST(StudyTable, ExtrapolatesAPowerLaw) {
 }
 
 TEST(StudyTable, SaysWhatASeriesDoesNotShow) {
-  const std::vector<StudyRecord> records{
+  const std::vector<BatchRecord> records{
       record(4, {{"a [m]", 1}, {"b [m]", 5}, {"c [m]", 1}, {"d [m]", 1}}),
       record(2, {{"a [m]", 3}, {"b [m]", 5}, {"c [m]", 2}, {"d [m]", 2.1}}),
       record(1, {{"a [m]", 2}, {"b [m]", 5}, {"e [s]", 7}, {"c [m]", 4}, {"d [m]", 3}})};
@@ -92,7 +92,7 @@ TEST(StudyTable, TellsAChangeFromTheScatterOfTheMembers) {
 }
 
 TEST(StudyTable, WarnsOfCloseSpacingsThinFlowsAndMotionAtTheEnd) {
-  std::vector<StudyRecord> records{record(2, {}), record(1, {})};
+  std::vector<BatchRecord> records{record(2, {}), record(1, {})};
   EXPECT_TRUE(study_warnings(records, study_table(records)).empty());
   records[1].spacing = 1.6;
   records[0].median_layers = 3.9;

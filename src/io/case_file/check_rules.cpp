@@ -1,11 +1,13 @@
 #include "io/case_file/check_rules.hpp"
 
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "io/case_file/check_bodies.hpp"
+#include "io/case_file/check_observed.hpp"
+#include "io/case_file/check_parts.hpp"
+#include "io/case_file/check_structures.hpp"
 #include "io/case_file/key_text.hpp"
 #include "physics/viscosity_of_concentration.hpp"
 
@@ -49,31 +51,6 @@ void check_ground(const TerrainCase& terrain, Faults& faults) {
     const std::string key = fmt::format("terrain.{}", name);
     if (is_given && !has_dem && !faults.has(key))
       faults.add(key, "applies to a dem only", "remove it");
-  }
-}
-
-/// Length in plan of a line given by coordinates, m.
-double plan_length(const LineSource& line) {
-  double length = 0;
-  for (std::size_t i = 1; i < line.coordinates.size(); ++i) {
-    const auto& a = line.coordinates[i - 1];
-    const auto& b = line.coordinates[i];
-    length += std::hypot(b[0] - a[0], b[1] - a[1]);
-  }
-  return length;
-}
-
-void check_line(const LineSource& line, const std::string& key, Faults& faults) {
-  if (!line.coordinates.empty() && !(plan_length(line) > 0)) {
-    faults.add(key, "all its points are at one place", "give a line of some length");
-  }
-}
-
-void check_polygon(const LineSource& polygon, const std::string& key, Faults& faults) {
-  check_line(polygon, key, faults);
-  const std::size_t corners = polygon.coordinates.size();
-  if (corners > 0 && corners < 3) {
-    faults.add(key, "has fewer than three points", "give three or more");
   }
 }
 
@@ -205,46 +182,6 @@ void check_release(const ReleaseCase& release, Faults& faults) {
   }
 }
 
-void check_crest(const StructureCase& dam, const std::string& path, Faults& faults) {
-  const bool crest = dam.crest || faults.has(path + ".crest");
-  const bool height = dam.height || faults.has(path + ".height");
-  if (crest && height) {
-    faults.add(path, "has a crest and a height", "give one of the two");
-  } else if (dam.line.has_z && (crest || height)) {
-    faults.add(path + (crest ? ".crest" : ".height"), "the z of the line is the crest already",
-               "remove one of the two");
-  } else if (!dam.line.coordinates.empty() && !dam.line.has_z && !crest && !height) {
-    faults.add(path, "has no crest", "give crest, height, or a line with z");
-  }
-}
-
-void check_notch(const StructureCase& dam, const std::string& path, Faults& faults) {
-  if (!dam.notch) return;
-  if (dam.height && dam.notch->depth > *dam.height) {
-    faults.add(path + ".notch.depth", "the notch is deeper than the dam is high",
-               fmt::format("give at most {} m", short_text(*dam.height)));
-  }
-  const double length = plan_length(dam.line);
-  if (length > 0 && dam.notch->centre > length) {
-    faults.add(path + ".notch.centre", "lies beyond the end of the line",
-               fmt::format("give a distance along the line, at most {} m", short_text(length)));
-  }
-}
-
-/// Names stand for their owners in the outputs.
-template <class T>
-void check_names(const std::vector<T>& members, const std::string& table, Faults& faults) {
-  std::map<std::string, std::size_t> first;
-  for (std::size_t i = 0; i < members.size(); ++i) {
-    const auto [earlier, is_new] = first.emplace(members[i].name, i);
-    if (is_new) continue;
-    faults.add(fmt::format("{}[{}].name", table, i + 1),
-               fmt::format("\"{}\" is the name of {}[{}] too", members[i].name, table,
-                           earlier->second + 1),
-               "give each its own name");
-  }
-}
-
 /// A concentration stands for a viscosity; where both are given they must agree.
 void check_concentration(const MaterialCase& material, Faults& faults) {
   const std::string key = "material.concentration";
@@ -344,15 +281,18 @@ void check_rules(const Case& c, Faults& faults) {
     check_edit(c.terrain.edits[i], fmt::format("terrain.edit[{}]", i + 1), faults);
   }
   check_release(c.release, faults);
-  for (std::size_t i = 0; i < c.structures.size(); ++i) {
-    const std::string path = fmt::format("structure[{}]", i + 1);
-    check_line(c.structures[i].line, path + ".line", faults);
-    check_crest(c.structures[i], path, faults);
-    check_notch(c.structures[i], path, faults);
-  }
+  check_structures(c.structures, faults);
   check_bodies(c.bodies, faults);
   for (std::size_t i = 0; i < c.sections.size(); ++i) {
     check_line(c.sections[i].line, fmt::format("section[{}].line", i + 1), faults);
+  }
+  for (std::size_t i = 0; i < c.gauges.size(); ++i) {
+    const bool has_place = c.gauges[i].place.has_value(), has_file = !c.gauges[i].file.empty();
+    const std::string path = fmt::format("gauge[{}]", i + 1);
+    if (has_place != has_file || faults.has(path + ".place") || faults.has(path + ".file"))
+      continue;
+    faults.add(path, has_place ? "has a place and a file" : "has no place",
+               "give one of place = [x, y] and file");
   }
   for (std::size_t i = 0; i < c.zones.size(); ++i) {
     check_polygon(c.zones[i].polygon, fmt::format("zone[{}].polygon", i + 1), faults);
@@ -362,8 +302,10 @@ void check_rules(const Case& c, Faults& faults) {
   check_names(c.structures, "structure", faults);
   check_names(c.bodies, "body", faults);
   check_names(c.sections, "section", faults);
+  check_names(c.gauges, "gauge", faults);
   check_names(c.zones, "zone", faults);
   check_names(c.references, "reference", faults);
+  check_observed(c.observed, faults);
   check_concentration(c.material, faults);
   check_numerics(c.numerics, faults);
   check_interval(c.run.output_interval, "output_interval", max_frames, c.run.duration, faults);

@@ -159,17 +159,30 @@ class TableReader {
   const Rheology* law_ = nullptr;   ///< of a table that names a rheology
 };
 
-void set_override(TomlTable& root, const Override& replacement) {
-  const auto entry = [](TomlTable& table, const std::string& key) -> TomlNode& {
-    for (auto& [name, node] : table) {
-      if (name == key) return node;
-    }
-    table.push_back({key, {TomlTable{}, 0}});
-    return table.back().node;
-  };
-  TomlNode& node = entry(root, replacement.table);
-  auto* table = std::get_if<TomlTable>(&node.value);
-  if (!table) return;  // a fault of the file, reported when it is read
+TomlNode& entry(TomlTable& table, const std::string& key) {
+  for (auto& [name, node] : table) {
+    if (name == key) return node;
+  }
+  table.push_back({key, {TomlTable{}, 0}});
+  return table.back().node;
+}
+
+/// The table of "numerics", or the second one of "structure[2]"; nullptr where there is none.
+TomlTable* table_of(TomlTable& root, const std::string& path) {
+  const std::size_t bracket = path.find('[');
+  TomlNode& node = entry(root, path.substr(0, bracket));
+  if (bracket == std::string::npos) return std::get_if<TomlTable>(&node.value);
+  auto* members = std::get_if<TomlArray>(&node.value);
+  const std::size_t number = std::strtoul(path.c_str() + bracket + 1, nullptr, 10);
+  if (!members || number < 1 || number > members->size()) return nullptr;
+  return std::get_if<TomlTable>(&(*members)[number - 1].value);
+}
+
+void set_override(TomlTable& root, const Override& replacement, Faults& faults) {
+  TomlTable* table = table_of(root, replacement.table);
+  if (!table && replacement.table.ends_with(']'))
+    faults.add(replacement.table, "is not in the case", "give the number of one that is, from 1");
+  if (!table) return;  // else a fault of the file, reported when it is read
   TomlNode& value = entry(*table, replacement.key);
   value.line = 0;
   std::visit([&](const auto& given) { value.value = given; }, replacement.value);
@@ -188,7 +201,7 @@ Case read_text(std::string_view text, const FileContext& file,
   result.folder = file.folder;
   std::optional<TomlTable> root = parse_toml(text, file.file_name, file.faults);
   if (!root) return result;
-  for (const Override& replacement : overrides) set_override(*root, replacement);
+  for (const Override& replacement : overrides) set_override(*root, replacement, file.faults);
 
   file.faults.remember("", file.file_name);
   TableReader reader(file, *root, "");
@@ -197,8 +210,10 @@ Case read_text(std::string_view text, const FileContext& file,
   name_nameless(result.structures, "structure");
   name_nameless(result.bodies, "body");
   name_nameless(result.sections, "section");
+  name_nameless(result.gauges, "gauge");
   name_nameless(result.zones, "zone");
   name_nameless(result.terrain.edits, "edit");
+  name_nameless(result.observed.arrivals, "arrival");
   check_rules(result, file.faults);
   return result;
 }

@@ -14,7 +14,7 @@ namespace sabo {
 
 /// A key set on the command line: it stands in for the file's and is checked like it.
 struct Override {
-  std::string table;  ///< e.g. "numerics"
+  std::string table;  ///< e.g. "numerics", or "structure[2]" for the second one
   std::string key;    ///< e.g. "spacing"
   std::variant<std::int64_t, double, std::string> value;
 };

@@ -27,6 +27,8 @@ class RasterFile {
   const OGRSpatialReference& crs() const { return crs_; }
   /// Unit of the values as the file names it, e.g. "ft"; "" when it has none.
   std::string unit() const { return band_->GetUnitType(); }
+  /// Of the band, e.g. "greatest vertical depth"; "" when it has none.
+  std::string description() const { return band_->GetDescription(); }
   const std::string& name() const { return name_; }
 
   /// Values of a window, scale and offset applied; NaN for nodata, masked and non-finite cells.

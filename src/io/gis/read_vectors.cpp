@@ -46,7 +46,7 @@ class VectorFile {
   /// Attribute whose numbers are read along; must be set before read().
   void want(const std::string& attribute) { attribute_ = attribute; }
 
-  // `type` is wkbLineString or wkbPolygon, `plural` its name in messages.
+  // `type` is wkbPoint, wkbLineString or wkbPolygon, `plural` its name in messages.
   std::vector<Piece> read(OGRwkbGeometryType type, const char* plural, const std::string& dem_crs) {
     std::vector<Piece> found;
     std::string layers;
@@ -194,6 +194,21 @@ std::vector<Polyline> read_lines(const std::filesystem::path& file, const std::s
     }
   }
   return lines;
+}
+
+std::vector<Vec3d> read_points(const std::filesystem::path& file, const std::string& dem_crs,
+                               const std::string& key) {
+  VectorFile source(file, key);
+  std::vector<Vec3d> points;
+  for (const auto& [geometry, value] : source.read(wkbPoint, "points", dem_crs)) {
+    const OGRPoint& point = *geometry->toPoint();
+    points.push_back({point.getX(), point.getY(), point.getZ()});
+    if (!std::isfinite(norm(points.back())))
+      source.refuse("has a coordinate that is not a number", "correct it");
+    if (points.size() > max_vertices)
+      source.refuse(fmt::format("has more than {} points", max_vertices), "leave some out");
+  }
+  return points;
 }
 
 std::string code_of_vectors(const std::filesystem::path& file, const std::string& key) {

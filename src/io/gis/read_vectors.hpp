@@ -15,6 +15,10 @@ namespace sabo {
 std::vector<Polyline> read_lines(const std::filesystem::path& file, const std::string& dem_crs,
                                  const std::string& key);
 
+/// All points of a file, as read_lines() does lines; z is 0 where the file has none.
+std::vector<Vec3d> read_points(const std::filesystem::path& file, const std::string& dem_crs,
+                               const std::string& key);
+
 /// A polygon and the number that an attribute of its feature holds; NaN if none was asked for.
 struct ValuedPolygon {
   Polygon polygon;

@@ -1,7 +1,9 @@
 #include "io/output/colour_scale.hpp"
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
+#include <system_error>
 
 #include <fmt/format.h>
 
@@ -50,6 +52,41 @@ Colour step_colour(std::span<const ColourStep> steps, double value) {
   const auto in_class = [value](const ColourStep& step) { return value < step.end; };
   const auto found = std::find_if(steps.begin(), steps.end() - 1, in_class);
   return found->colour;
+}
+
+std::vector<ColourStep> difference_steps(double top) {
+  constexpr std::array<Colour, 7> colours{{{69, 117, 180},
+                                           {145, 191, 219},
+                                           {224, 243, 248},
+                                           {255, 255, 191},
+                                           {254, 224, 144},
+                                           {252, 141, 89},
+                                           {215, 48, 39}}};
+  const std::array bounds{-top, -0.3 * top, -0.1 * top, 0.1 * top, 0.3 * top, top};
+  std::vector<ColourStep> steps;
+  for (std::size_t k = 0; k < colours.size(); ++k) {
+    ColourStep step{k < bounds.size() ? bounds[k] : 0, colours[k]};
+    if (k == 0) {
+      step.label = fmt::format("below {:g}", bounds.front());
+    } else if (k == bounds.size()) {
+      step.label = fmt::format("above {:g}", bounds.back());
+    } else {
+      step.label = fmt::format("{:g} to {:g}", bounds[k - 1], bounds[k]);
+    }
+    steps.push_back(std::move(step));
+  }
+  return steps;
+}
+
+std::optional<Colour> colour_of(std::string_view text) {
+  Colour colour{};
+  if (text.size() != 7 || text[0] != '#') return std::nullopt;
+  for (std::size_t c = 0; c < colour.size(); ++c) {
+    const char* first = text.data() + 1 + 2 * c;
+    const auto [stop, error] = std::from_chars(first, first + 2, colour[c], 16);
+    if (error != std::errc() || stop != first + 2) return std::nullopt;
+  }
+  return colour;
 }
 
 std::string hex(const Colour& colour) {

@@ -2,8 +2,11 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
+#include <string_view>
+#include <vector>
 
 namespace sabo {
 
@@ -29,10 +32,19 @@ struct ColourStep {
   std::string label = {};
 };
 
+/// Seven classes around zero for differences, symmetric about it, from blue (less) over pale
+/// yellow, which a grey hillshade does not have, to red (more) in the colours of ColorBrewer's
+/// RdYlBu, which any colour vision tells apart. Their bounds are a tenth, three tenths and the
+/// whole of `top` (> 0).
+std::vector<ColourStep> difference_steps(double top);
+
 /// Colour of the class that holds the value; `steps` is not empty.
 Colour step_colour(std::span<const ColourStep> steps, double value);
 
 /// "#rrggbb"
 std::string hex(const Colour& colour);
+
+/// The colour of such a text; nothing for another one.
+std::optional<Colour> colour_of(std::string_view text);
 
 }  // namespace sabo

@@ -42,18 +42,25 @@ CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::s
   write_line(csv_line(header_));
 }
 
-void CsvWriter::append(std::span<const double> row) {
-  if (row.size() != header_.size()) {
-    throw RunError(fmt::format("{}: {} values for {} columns", name_, row.size(), header_.size()));
+void CsvWriter::append(std::span<const double> row) { write_line(numbers(row, 0)); }
+
+void CsvWriter::append(const std::string& label, std::span<const double> row) {
+  write_line(field(label) + ',' + numbers(row, 1));
+}
+
+std::string CsvWriter::numbers(std::span<const double> row, std::size_t first) const {
+  if (first + row.size() != header_.size()) {
+    throw RunError(
+        fmt::format("{}: {} values for {} columns", name_, first + row.size(), header_.size()));
   }
   std::string line;
   for (std::size_t i = 0; i < row.size(); ++i) {
     if (!std::isfinite(row[i])) {
-      throw RunError(fmt::format("{}: {} is {}", name_, header_[i], row[i]));
+      throw RunError(fmt::format("{}: {} is {}", name_, header_[first + i], row[i]));
     }
     line += fmt::format("{}{:.9g}", i == 0 ? "" : ",", row[i]);
   }
-  write_line(line + '\n');
+  return line + '\n';
 }
 
 void CsvWriter::write_line(const std::string& line) {

@@ -22,9 +22,13 @@ class CsvWriter {
   /// One value per column, finite.
   void append(std::span<const double> row);
   void append(std::initializer_list<double> row) { append({row.begin(), row.size()}); }
+  /// The same behind a first column of text.
+  void append(const std::string& label, std::span<const double> row);
 
  private:
   void write_line(const std::string& line);
+  /// A row as text, for the columns from `first` on.
+  std::string numbers(std::span<const double> row, std::size_t first) const;
 
   struct Close {
     void operator()(std::FILE* file) const { std::fclose(file); }

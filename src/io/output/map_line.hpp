@@ -15,6 +15,7 @@ struct MapLine {
   Kind kind = Kind::path;
   std::string label = {};  ///< "" for none
   Polyline line = {};
+  bool is_filled = false;  ///< on maps, as what is solid within a closed line
 };
 
 /// As `maps/plan.geojson` has them.

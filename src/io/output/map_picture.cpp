@@ -14,10 +14,12 @@
 namespace sabo {
 namespace {
 
-constexpr double narrowest = 640;     // px, so that the legend has room
-constexpr double margin = 20;         // px
-constexpr double note_size = 13;      // px
-constexpr double note_line = 20;      // px
+constexpr double narrowest = 640;    // px, so that the legend has room
+constexpr double scale_width = 260;  // px, of scale bar and north arrow beside a legend
+constexpr double margin = 20;        // px
+constexpr double note_size = 13;     // px
+constexpr double note_line = 20;     // px
+constexpr const char* solid_colour = "#d9c5c0";
 constexpr double max_pixels = 1.5e6;  // of the embedded picture
 
 // Where things stand on the picture.
@@ -57,7 +59,8 @@ Layout layout_of(const MapPicture& map) {
   layout.scale = std::min(map.widest / east_west, map.tallest / north_south);
   layout.width = std::round(east_west * layout.scale);
   layout.height = std::round(north_south * layout.scale);
-  layout.page_width = std::max(layout.width, narrowest) + 2 * margin;
+  const double legend = step_bar_width(map.steps) + scale_width;
+  layout.page_width = std::max({layout.width, narrowest, legend}) + 2 * margin;
   layout.left = std::round((layout.page_width - layout.width) / 2);
   layout.note = wrapped(map.note, note_size, layout.page_width - 2 * margin);
   layout.top = 48 + note_line * static_cast<double>(layout.note.size());
@@ -194,9 +197,9 @@ std::string draw_lines(const MapPicture& map, const Layout& layout) {
     const LineStyle style = style_of(line.kind);
     const auto polyline = [&](const char* colour, double width, const char* dashes) {
       return fmt::format(
-          "<polyline points=\"{}\" fill=\"none\" stroke=\"{}\" stroke-width=\"{}\"{} "
+          "<polyline points=\"{}\" fill=\"{}\" stroke=\"{}\" stroke-width=\"{}\"{} "
           "stroke-linejoin=\"round\"/>\n",
-          points, colour, width, dashes);
+          points, line.is_filled ? solid_colour : "none", colour, width, dashes);
     };
     shapes += polyline("#ffffff", style.width + 2, "");
     shapes += polyline(style.colour, style.width, style.dashes);

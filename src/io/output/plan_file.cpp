@@ -57,10 +57,11 @@ void write_plan(const std::filesystem::path& file, const std::vector<MapLine>& l
   for (const MapLine& line : lines) {
     if (line.line.vertices.size() < 2) continue;
     features += fmt::format(
-        "{}{{\"type\": \"Feature\", \"properties\": {{\"kind\": {}, \"name\": {}}}, "
+        "{}{{\"type\": \"Feature\", \"properties\": {{\"kind\": {}, \"name\": {}, \"filled\": "
+        "{}}}, "
         "\"geometry\": {{\"type\": \"LineString\", \"coordinates\": [{}]}}}}",
         features.empty() ? "" : ",\n", json_string(std::string(word_of(line.kind))),
-        json_string(line.label), coordinates_of(line.line));
+        json_string(line.label), line.is_filled, coordinates_of(line.line));
   }
   const GdalErrors errors;
   write_file_atomically(
@@ -87,7 +88,9 @@ std::vector<MapLine> read_plan(const std::filesystem::path& file) {
       if (!kind || wkbFlatten(geometry->getGeometryType()) != wkbLineString) continue;
       Polyline line = line_of(*geometry->toLineString());
       if (line.vertices.size() < 2) continue;
-      lines.push_back({*kind, feature->GetFieldAsString(name_field), std::move(line)});
+      const int filled_field = feature->GetFieldIndex("filled");
+      const bool is_filled = filled_field >= 0 && feature->GetFieldAsInteger(filled_field) != 0;
+      lines.push_back({*kind, feature->GetFieldAsString(name_field), std::move(line), is_filled});
     }
   }
   return lines;

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "io/gis/gdal_errors.hpp"
+#include "io/output/base64.hpp"
 
 namespace sabo {
 
@@ -43,16 +44,8 @@ std::string png_of(const Image& image) {
   return png;
 }
 
-std::string base64_of(const std::string& bytes) {
-  char* text =
-      CPLBase64Encode(static_cast<int>(bytes.size()), reinterpret_cast<const GByte*>(bytes.data()));
-  std::string encoded = text;
-  CPLFree(text);
-  return encoded;
-}
-
 std::string data_url_of_png(const std::string& png) {
-  return "data:image/png;base64," + base64_of(png);
+  return "data:image/png;base64," + base64_of(std::as_bytes(std::span(png)));
 }
 
 }  // namespace sabo

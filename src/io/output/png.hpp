@@ -17,8 +17,6 @@ struct Image {
 /// The bytes of a PNG file. Throws RunError.
 std::string png_of(const Image& image);
 
-std::string base64_of(const std::string& bytes);
-
 /// "data:image/png;base64,..." for an <image> element.
 std::string data_url_of_png(const std::string& png);
 

@@ -9,15 +9,16 @@
 
 namespace sabo {
 
-/// A solid in a scene, of which the faces towards the camera show: through the near walls of a
+/// A body in a scene, of which the faces towards the camera show: through the near walls of a
 /// tank, whose faces look inwards, one sees into it.
 struct SceneBody {
   std::string label = {};  ///< "" for none
   TriangleMesh mesh = {};  ///< faces look outwards from the solid
+  bool is_solid = true;
 };
 
-/// What of a mesh is over a rectangle of the ground, cut along its edges.
-TriangleMesh within(const MapView& view, const TriangleMesh& mesh);
+/// What of a body is over a rectangle of the ground, cut along its edges; a solid is closed there.
+SceneBody within(const MapView& view, const SceneBody& body);
 
 /// Draws a body, lit from a direction (unit vector towards the light).
 void draw_body(DepthCanvas& canvas, const SceneBody& body, const SceneMesh& mesh,

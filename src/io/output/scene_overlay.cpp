@@ -96,15 +96,4 @@ std::string draw_draped(const ScenePage& page, const MapLine& line, SceneLabels&
          stroke(style.colour, style.width, style.dashes);
 }
 
-void label_wall(const ScenePage& page, const SceneWall& wall,
-                const std::vector<std::vector<WallCut>>& pieces, SceneLabels& labels) {
-  if (wall.label.empty()) return;
-  std::vector<PagePoint> all;
-  for (const std::vector<WallCut>& piece : pieces) {
-    for (const WallCut& cut : piece) all.push_back(page_point(page, 0.5 * (cut.left + cut.right)));
-  }
-  std::erase_if(all, [](const PagePoint& p) { return !p.is_seen; });
-  if (!all.empty()) labels.add(wall.label, wall_label_colour, {all.front(), all.back()});
-}
-
 }  // namespace sabo

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "io/output/map_picture.hpp"
-#include "io/output/scene_walls.hpp"
+#include "io/output/scene_view.hpp"
 
 namespace sabo {
 
@@ -56,9 +56,5 @@ PagePoint page_point(const ScenePage& page, const Vec3d& point);
 
 /// A line laid on the surface, in pieces where it can be seen, and its label.
 std::string draw_draped(const ScenePage& page, const MapLine& line, SceneLabels& labels);
-
-/// The label of a wall above one of its ends.
-void label_wall(const ScenePage& page, const SceneWall& wall,
-                const std::vector<std::vector<WallCut>>& pieces, SceneLabels& labels);
 
 }  // namespace sabo

@@ -125,11 +125,10 @@ struct Drawing {
   SceneMesh mesh;
   LookDirection direction;
   CanvasView view = {};
-  std::vector<std::vector<std::vector<WallCut>>> walls = {};  // the pieces of each
-  std::vector<SceneBody> bodies = {};                         // what of them is in the view
-  double height = tallest;                                    // px
-  double contour = 10;                                        // m
-  double top = 48;                                            // px, of the picture on the page
+  std::vector<SceneBody> bodies = {};  // what of them is in the view
+  double height = tallest;             // px
+  double contour = 10;                 // m
+  double top = 48;                     // px, of the picture on the page
 };
 
 // Length across the picture at the middle of what it shows, direction of view, contour lines.
@@ -176,15 +175,9 @@ Drawing drawing_of(const ScenePicture& scene, const SceneData& data) {
             direction_for(scene, data)};
   light_mesh(d.mesh, light_for(d.direction));
   std::vector<Vec3d> points = points_to_show(d.mesh);
-  for (const SceneWall& wall : scene.walls) {
-    d.walls.push_back(wall_pieces(wall, d.mesh));
-    for (const auto& piece : d.walls.back()) {
-      for (const WallCut& cut : piece) points.insert(points.end(), {cut.left, cut.right});
-    }
-  }
   std::vector<Vec3d> of_bodies;
   for (const SceneBody& body : scene.bodies) {
-    d.bodies.push_back({body.label, within(scene.view, body.mesh)});
+    d.bodies.push_back(within(scene.view, body));
     for (const Vec3d& v : d.bodies.back().mesh.vertices)
       of_bodies.push_back({v.x, v.y, d.mesh.drawn(v.z)});
   }
@@ -214,9 +207,6 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
   DepthCanvas canvas(2 * static_cast<int>(picture_width * d.view.scale / 2),
                      2 * static_cast<int>(d.height * d.view.scale / 2));
   draw_mesh(canvas, d.mesh, d.view);
-  for (const auto& pieces : d.walls) {
-    draw_wall(canvas, pieces, d.view, light_for(d.direction));
-  }
   for (const SceneBody& body : d.bodies)
     draw_body(canvas, body, d.mesh, d.view, light_for(d.direction));
 
@@ -228,9 +218,6 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
   svg += draw_picture(d, canvas, top_value);
   const ScenePage page{d.mesh, canvas, d.view, margin, d.top, picture_width, d.height};
   SceneLabels labels(page);
-  for (std::size_t k = 0; k < d.walls.size(); ++k) {
-    label_wall(page, scene.walls[k], d.walls[k], labels);
-  }
   for (const SceneBody& body : d.bodies) label_body(page, body, labels);
   for (const MapLine& line : scene.lines) svg += draw_draped(page, line, labels);
   svg += labels.svg();

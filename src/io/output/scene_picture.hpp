@@ -7,7 +7,6 @@
 #include "io/output/camera.hpp"
 #include "io/output/map_picture.hpp"
 #include "io/output/scene_bodies.hpp"
-#include "io/output/scene_walls.hpp"
 #include "terrain/raster.hpp"
 
 namespace sabo {
@@ -24,7 +23,6 @@ struct ScenePicture {
       {};                           ///< of LookDirection, else up the valley where the flow shows
   std::optional<double> down = {};  ///< of LookDirection, else 35 degrees or steeper
   double exaggeration = 1;          ///< of heights; stated on the picture when it is not 1
-  std::vector<SceneWall> walls = {};
   std::vector<SceneBody> bodies = {};
   std::vector<MapLine> lines = {};  ///< laid on the surface; a path also tells which way is up
 };
@@ -35,9 +33,8 @@ LookDirection scene_direction(const ScenePicture& scene, const Raster& elevation
                               const Raster& depth);
 
 /// The picture as an SVG file: the ground as a grey relief, lifted by the depth (m) and coloured by
-/// the values where there is flow. The camera holds the whole flow, the walls over the view
-/// and the bodies. The
-/// rasters have one grid, NaN where there is no data. Throws RunError.
+/// the values where there is flow. The camera holds the whole flow and the
+/// bodies over the view. The rasters have one grid, NaN where there is no data. Throws RunError.
 std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const Raster& depth,
                       const Raster& values);
 

@@ -1,5 +1,7 @@
 #include "io/output/svg_colour_bar.hpp"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 
 #include "io/output/colour_scale.hpp"
@@ -7,6 +9,13 @@
 #include "io/output/ticks.hpp"
 
 namespace sabo {
+namespace {
+
+double step_width(const ColourStep& step) {
+  return std::max(72.0, text_width(step.label, TextStyle{}.size) + 14);
+}
+
+}  // namespace
 
 std::string svg_colour_bar(double x, double y, std::string_view quantity, double top,
                            std::string_view id) {
@@ -33,16 +42,25 @@ std::string svg_colour_bar(double x, double y, std::string_view quantity, double
 
 std::string svg_step_bar(double x, double y, std::string_view quantity,
                          std::span<const ColourStep> steps) {
-  constexpr double width = 72, height = 12;
+  constexpr double height = 12;
   std::string svg = svg_text(x, y - 8, quantity, {.size = 13, .colour = svg_ink});
-  for (std::size_t k = 0; k < steps.size(); ++k) {
-    const double left = x + width * static_cast<double>(k);
+  double left = x;
+  for (const ColourStep& step : steps) {
+    const double width = step_width(step);
     svg += fmt::format(
-        "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" fill=\"{}\" stroke=\"{}\"/>\n", left, y,
-        width, height, hex(steps[k].colour), svg_muted);
-    svg += svg_text(left + width / 2, y + height + 17, steps[k].label, {.anchor = Anchor::middle});
+        "<rect x=\"{:.1f}\" y=\"{}\" width=\"{:.1f}\" height=\"{}\" fill=\"{}\" "
+        "stroke=\"{}\"/>\n",
+        left, y, width, height, hex(step.colour), svg_muted);
+    svg += svg_text(left + width / 2, y + height + 17, step.label, {.anchor = Anchor::middle});
+    left += width;
   }
   return svg;
+}
+
+double step_bar_width(std::span<const ColourStep> steps) {
+  double width = 0;
+  for (const ColourStep& step : steps) width += step_width(step);
+  return width;
 }
 
 }  // namespace sabo

@@ -14,8 +14,11 @@ namespace sabo {
 std::string svg_colour_bar(double x, double y, std::string_view quantity, double top,
                            std::string_view id = "");
 
-/// The classes of a stepped scale side by side, each with its label below, in the same place.
+/// The classes of a stepped scale side by side, each as wide as its label below, in the same place.
 std::string svg_step_bar(double x, double y, std::string_view quantity,
                          std::span<const ColourStep> steps);
+
+/// Width of that bar, pixels.
+double step_bar_width(std::span<const ColourStep> steps);
 
 }  // namespace sabo

@@ -69,8 +69,8 @@ std::string add(VtkAppended& data, const std::string& name, int components,
 void check(const std::filesystem::path& file, const VtpArray& array, std::size_t points) {
   const std::size_t size = std::visit([](auto values) { return values.size(); }, array.values);
   if (size != points * array.components) {
-    throw RunError(fmt::format("{}: {} has {} values for {} particles", file.string(), array.name,
-                               size, points));
+    throw RunError(
+        fmt::format("{}: {} has {} values for {} points", file.string(), array.name, size, points));
   }
   if (const auto* values = std::get_if<std::span<const float>>(&array.values)) {
     for (float value : *values) {
@@ -129,25 +129,49 @@ std::vector<std::int32_t> triangles_of(const SurfacePoints& s) {
   return corners;
 }
 
-/// Values of the points of a surface.
-struct PointValues {
-  const char* name;
-  const std::vector<float>& values;
-};
+std::string time_field(double time) {
+  return fmt::format(
+      "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
+      "format=\"ascii\">{:.17g}</DataArray>\n",
+      time);
+}
 
-void write_triangles(const std::filesystem::path& file, const Vec3d& origin,
+std::string add_array(VtkAppended& data, const VtpArray& array) {
+  return std::visit([&](auto values) { return add(data, array.name, array.components, values); },
+                    array.values);
+}
+
+std::vector<Vec3f> points_of(const TriangleMesh& mesh) {
+  std::vector<Vec3f> points;
+  points.reserve(mesh.vertices.size());
+  for (const Vec3d& v : mesh.vertices) points.push_back({float(v.x), float(v.y), float(v.z)});
+  return points;
+}
+
+std::vector<std::int32_t> corners_of(const TriangleMesh& mesh) {
+  std::vector<std::int32_t> corners;
+  corners.reserve(3 * mesh.triangles.size());
+  for (const Triangle& t : mesh.triangles)
+    for (const std::uint32_t corner : t) corners.push_back(static_cast<std::int32_t>(corner));
+  return corners;
+}
+
+void write_triangles(const std::filesystem::path& file, const std::string& fields,
                      const std::vector<Vec3f>& points, const std::vector<std::int32_t>& corners,
-                     const PointValues& array) {
+                     const std::vector<VtpArray>& arrays) {
   std::vector<std::int32_t> offsets(corners.size() / 3);
   for (std::size_t i = 0; i < offsets.size(); ++i)
     offsets[i] = static_cast<std::int32_t>(3 * (i + 1));
   PolyData p;
-  p.fields = origin_field(origin);
+  p.fields = fields;
   p.point_count = points.size();
   p.cell_count = offsets.size();
   p.cell_kind = "Polys";
   p.points = add(p.data, "position [m]", 3, floats_of(points));
-  p.point_data = add<float>(p.data, array.name, 1, array.values);
+  for (const VtpArray& array : arrays) {
+    check(file, array, points.size());
+    p.point_data += add_array(p.data, array);
+  }
   p.cells = add<std::int32_t>(p.data, "connectivity", 1, corners) +
             add<std::int32_t>(p.data, "offsets", 1, offsets);
   write_file_atomically(file, file_text(p));
@@ -159,19 +183,13 @@ void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& fram
   const std::size_t count = frame.points.size();
   check(file, {"position", 3, floats_of(frame.points)}, count);
   PolyData p;
-  p.fields = fmt::format(
-                 "<DataArray type=\"Float64\" Name=\"TimeValue\" NumberOfTuples=\"1\" "
-                 "format=\"ascii\">{:.17g}</DataArray>\n",
-                 frame.time) +
-             origin_field(frame.origin);
+  p.fields = time_field(frame.time) + origin_field(frame.origin);
   p.point_count = p.cell_count = count;
   p.cell_kind = "Verts";
   p.points = add(p.data, "position [m]", 3, floats_of(frame.points));
   for (const VtpArray& array : frame.arrays) {
     check(file, array, count);
-    p.point_data +=
-        std::visit([&](auto values) { return add(p.data, array.name, array.components, values); },
-                   array.values);
+    p.point_data += add_array(p.data, array);
   }
   std::vector<std::int32_t> numbers(count + 1);
   std::iota(numbers.begin(), numbers.end(), 0);
@@ -186,18 +204,21 @@ void write_surface_vtp(const std::filesystem::path& file, const Raster& elevatio
   const SurfacePoints surface = surface_points(elevation, max_points);
   std::vector<float> z;
   for (const Vec3f& point : surface.points) z.push_back(point.z);
-  write_triangles(file, origin, surface.points, triangles_of(surface), {"elevation [m]", z});
+  write_triangles(file, origin_field(origin), surface.points, triangles_of(surface),
+                  {{"elevation [m]", 1, std::span<const float>(z)}});
 }
 
 void write_mesh_vtp(const std::filesystem::path& file, const TriangleMesh& mesh,
                     const std::vector<float>& numbers, const Vec3d& origin) {
-  std::vector<Vec3f> points;
-  for (const Vec3d& v : mesh.vertices) points.push_back({float(v.x), float(v.y), float(v.z)});
-  std::vector<std::int32_t> corners;
-  for (const Triangle& t : mesh.triangles)
-    for (const std::uint32_t corner : t) corners.push_back(static_cast<std::int32_t>(corner));
-  check(file, {"body", 1, std::span<const float>(numbers)}, points.size());
-  write_triangles(file, origin, points, corners, {"body", numbers});
+  write_triangles(file, origin_field(origin), points_of(mesh), corners_of(mesh),
+                  {{"body", 1, std::span<const float>(numbers)}});
+}
+
+void write_moving_surface_vtp(const std::filesystem::path& file, const VtpSurface& surface) {
+  const std::vector<Vec3f> points = points_of(surface.mesh);
+  check(file, {"position", 3, floats_of(points)}, points.size());
+  write_triangles(file, time_field(surface.time) + origin_field(surface.origin), points,
+                  corners_of(surface.mesh), surface.arrays);
 }
 
 void PvdWriter::add(double time, const std::string& frame_file) {

@@ -44,6 +44,17 @@ void write_surface_vtp(const std::filesystem::path& file, const Raster& elevatio
 void write_mesh_vtp(const std::filesystem::path& file, const TriangleMesh& mesh,
                     const std::vector<float>& numbers, const Vec3d& origin);
 
+/// A surface at one time, in the solver frame, with arrays of its vertices.
+struct VtpSurface {
+  double time = 0;    ///< s
+  Vec3d origin = {};  ///< as that of VtpFrame
+  const TriangleMesh& mesh;
+  std::vector<VtpArray> arrays = {};
+};
+
+/// Writes it as triangles, as write_particles_vtp writes particles. Throws RunError, as that does.
+void write_moving_surface_vtp(const std::filesystem::path& file, const VtpSurface& surface);
+
 /// The list of frames that ParaView opens as a time series.
 class PvdWriter {
  public:

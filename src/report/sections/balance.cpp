@@ -55,7 +55,7 @@ void add_balance(Report& report) {
   page.section(say("balance.title"));
   page.text(say("balance.about"));
   for (const TomlTable& row : run.list("volumes")) add_volume_table(report, row);
-  const SeriesTable* table = run.series("volumes.csv");
+  const NumberTable* table = run.series("volumes.csv");
   if (!table) return tell_missing(report, "series/volumes.csv");
   LineChart chart{say("balance.chart"), say("axis.time"), say("axis.volume")};
   for (const std::string& dam : names_before(*table, " trapped [m3]")) {

@@ -61,8 +61,8 @@ void compare_quantities(Report& report) {
 /// A column of both runs in one chart.
 void compare_series(Report& report, const std::string& file, const std::string& column,
                     const std::string& title, const std::string& axis) {
-  const SeriesTable* here = report.run.series(file);
-  const SeriesTable* there = report.other->series(file);
+  const NumberTable* here = report.run.series(file);
+  const NumberTable* there = report.other->series(file);
   if (!here || !there || !here->find(column) || !there->find(column)) return;
   LineChart chart{title, report.say("axis.time"), axis};
   chart.series = {over_time(*here, column, report.say("column.run")),
@@ -74,7 +74,7 @@ void compare_with_run(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   page.text(say("compare.runs", title_of(*other), other->folder().string()));
   compare_quantities(report);
-  if (const SeriesTable* table = run.series("discharge.csv"))
+  if (const NumberTable* table = run.series("discharge.csv"))
     for (const std::string& section : names_before(*table, " net discharge [m3/s]"))
       compare_series(report, "discharge.csv", section + " net discharge [m3/s]",
                      say("compare.discharge", section), say("axis.discharge"));
@@ -89,9 +89,7 @@ void show_table(Report& report, const fs::path& file, const std::string& name) {
   ReportTable table;
   std::string_view rest = *content;
   while (!rest.empty() && table.rows.size() < max_rows) {
-    const std::size_t end = std::min(rest.find('\n'), rest.size());
-    std::vector<std::string> fields = csv_fields(rest.substr(0, end));
-    rest.remove_prefix(std::min(end + 1, rest.size()));
+    std::vector<std::string> fields = next_csv_line(rest).value_or(std::vector<std::string>{});
     if (fields.size() > max_columns) fields.resize(max_columns);
     if (table.header.empty())
       table.header = std::move(fields);

@@ -8,27 +8,27 @@ namespace {
 
 constexpr const char* discharge = " net discharge [m3/s]";
 
-std::optional<double> last_of(const SeriesTable& table, const std::string& column) {
+std::optional<double> last_of(const NumberTable& table, const std::string& column) {
   const std::vector<double>* values = table.find(column);
   return values && !values->empty() ? std::optional(values->back()) : std::nullopt;
 }
 
-std::optional<double> passed(const SeriesTable& table, const std::string& section) {
+std::optional<double> passed(const NumberTable& table, const std::string& section) {
   const auto forward = last_of(table, section + " forward volume [m3]");
   const auto backward = last_of(table, section + " backward volume [m3]");
   return forward && backward ? std::optional(*forward - *backward) : std::nullopt;
 }
 
 /// The greatest of a column of sections.csv, "–" where a run does not measure it.
-std::string greatest(const SeriesTable* table, const std::string& column) {
+std::string greatest(const NumberTable* table, const std::string& column) {
   const auto peak = table ? peak_of(*table, column) : std::nullopt;
   return peak ? amount(peak->value) : "–";
 }
 
-void add_peak_table(Report& report, const SeriesTable& table,
+void add_peak_table(Report& report, const NumberTable& table,
                     const std::vector<std::string>& sections) {
   const auto& [run, other, say, page, sharpness] = report;
-  const SeriesTable* flow = run.has("series/sections.csv") ? run.series("sections.csv") : nullptr;
+  const NumberTable* flow = run.has("series/sections.csv") ? run.series("sections.csv") : nullptr;
   ReportTable peaks;
   peaks.caption = say("section.peaks");
   peaks.header = {say("column.section"), say("section.arrival"), say("section.peak"),
@@ -56,7 +56,7 @@ void add_peak_table(Report& report, const SeriesTable& table,
   page.table(peaks);
 }
 
-void add_series_chart(Report& report, const SeriesTable& table, const std::string& suffix,
+void add_series_chart(Report& report, const NumberTable& table, const std::string& suffix,
                       const std::string& title, const std::string& axis,
                       const std::string& source) {
   LineChart chart{title, report.say("axis.time"), axis};
@@ -70,7 +70,7 @@ void add_series_chart(Report& report, const SeriesTable& table, const std::strin
 void add_hydrographs(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   page.section(say("section.title"));
-  const SeriesTable* table = run.series("discharge.csv");
+  const NumberTable* table = run.series("discharge.csv");
   if (!table) return tell_missing(report, "series/discharge.csv");
   const std::vector<std::string> sections = names_before(*table, discharge);
   if (sections.empty()) return page.text(say("section.none"));
@@ -83,7 +83,7 @@ void add_hydrographs(Report& report) {
   page.chart(volumes, source);
   add_peak_table(report, *table, sections);
   if (!run.has("series/sections.csv")) return;
-  if (const SeriesTable* flow = run.series("sections.csv")) {
+  if (const NumberTable* flow = run.series("sections.csv")) {
     const std::string from = data_line(report, {"series/sections.csv"});
     add_series_chart(report, *flow, " greatest depth [m]", say("section.depths"), say("axis.depth"),
                      from);
@@ -95,7 +95,7 @@ void add_hydrographs(Report& report) {
 void add_gauges(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   if (!run.has("series/gauges.csv")) return;
-  const SeriesTable* table = run.series("gauges.csv");
+  const NumberTable* table = run.series("gauges.csv");
   if (!table) return;
   page.section(say("gauge.title"));
   const std::string source = data_line(report, {"series/gauges.csv"});
@@ -121,7 +121,7 @@ void add_gauges(Report& report) {
 void add_front(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   page.section(say("front.title"));
-  const SeriesTable* table = run.series("front.csv");
+  const NumberTable* table = run.series("front.csv");
   if (!table) return tell_missing(report, "series/front.csv");
   page.text(say("front.about"));
   const std::string source = data_line(report, {"series/front.csv"});

@@ -79,7 +79,7 @@ struct SectionPeak {
 
 std::optional<SectionPeak> greatest_discharge(Report& report) {
   std::optional<SectionPeak> greatest;
-  const SeriesTable* table = report.run.series("discharge.csv");
+  const NumberTable* table = report.run.series("discharge.csv");
   if (!table) return greatest;
   for (const std::string& section : names_before(*table, " net discharge [m3/s]")) {
     const auto peak = peak_of(*table, section + " net discharge [m3/s]");

@@ -23,7 +23,7 @@ void tell_verdict(Report& report, double median) {
 }
 
 /// The least and greatest of a column.
-std::optional<std::pair<double, double>> range_of(const SeriesTable& table, const char* lowest,
+std::optional<std::pair<double, double>> range_of(const NumberTable& table, const char* lowest,
                                                   const char* highest) {
   const std::vector<double>* low = table.find(lowest);
   const std::vector<double>* high = table.find(highest);
@@ -60,7 +60,7 @@ void add_energy_table(Report& report) {
 }
 
 void add_energy_chart(Report& report) {
-  const SeriesTable* table = report.run.series("energy.csv");
+  const NumberTable* table = report.run.series("energy.csv");
   if (!table) return tell_missing(report, "series/energy.csv");
   LineChart chart{report.say("ledger.chart"), report.say("axis.time"), report.say("axis.energy")};
   for (const auto& [column, label] : {std::array{"kinetic [J]", "ledger.kinetic"},
@@ -76,7 +76,7 @@ void add_health_table(Report& report) {
   ReportTable table;
   table.caption = say("ledger.health");
   table.header = {"", say("column.value")};
-  if (const SeriesTable* solver = run.series("solver.csv"))
+  if (const NumberTable* solver = run.series("solver.csv"))
     if (const auto range = range_of(*solver, "lowest density ratio", "highest density ratio"))
       table.rows.push_back(
           {say("ledger.density"), fixed(range->first, 4) + " – " + fixed(range->second, 4)});

@@ -10,10 +10,10 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "run/batch_record.hpp"
 #include "run/load_case.hpp"
 #include "run/new_case.hpp"
 #include "run/simulation.hpp"
-#include "run/study_record.hpp"
 
 namespace sabo {
 namespace {
@@ -69,13 +69,13 @@ Case case_of(const Variant& variant, const VerifySettings& settings, double spac
   return c;
 }
 
-double value_of(const StudyRecord& record, std::string_view name) {
+double value_of(const BatchRecord& record, std::string_view name) {
   for (const auto& [quantity, value] : record.quantities)
     if (quantity == name) return value;
   return std::nan("");
 }
 
-StudyRecord run(const Case& c, const fs::path& folder,
+BatchRecord run(const Case& c, const fs::path& folder,
                 const std::function<void(double share)>& on_progress) {
   if (const auto record = finished_record(folder, c)) return *record;
   std::exception_ptr stopped;
@@ -120,7 +120,7 @@ Verdict verify_yohutagawa(const VerifySettings& settings) {
         settings.folder / fmt::format("yohutagawa-{}-{}-{:g}m-{:g}s", word_of(settings.method),
                                       word, spacing, c.run.duration);
     const double done = static_cast<double>(k);
-    const StudyRecord record =
+    const BatchRecord record =
         run(c, folder, [&](double part) { settings.on_progress((done + part) * share); });
     settings.on_progress((done + 1) * share);
     const double released = 8863;

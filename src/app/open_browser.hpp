@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace sabo {
+
+/// Opens an address in the user's browser (xdg-open), where there is a display; whether it was
+/// tried.
+bool open_browser(const std::string& address);
+
+}  // namespace sabo

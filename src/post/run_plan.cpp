@@ -1,0 +1,42 @@
+#include "post/run_plan.hpp"
+
+#include "run/overlay.hpp"
+
+namespace sabo {
+namespace {
+
+/// The scene's frame is the CRS minus a whole-number origin.
+Vec3d back(const Frame& frame, const Vec3d& x) {
+  return x + Vec3d{frame.origin_x, frame.origin_y, 0};
+}
+
+void move_back(const Frame& frame, std::vector<Vec3d>& vertices) {
+  for (Vec3d& vertex : vertices) vertex = back(frame, vertex);
+}
+
+}  // namespace
+
+RunPlan plan_of(const FinishedRun& run) {
+  RunPlan plan;
+  plan.problem = run.case_problem();
+  if (!plan.problem.empty()) return plan;
+  Faults faults;
+  Scene scene = make_scene(run.run_case(), faults);
+  if (!faults.empty()) {
+    plan.problem = to_string(faults.list().front());
+    return plan;
+  }
+  plan.lines = overlay(scene);
+  plan.zones = std::move(scene.zones);
+  plan.sections = std::move(scene.sections);
+  plan.path = std::move(scene.path);
+  for (MapLine& line : plan.lines) move_back(scene.frame, line.line.vertices);
+  for (NamedZone& zone : plan.zones)
+    for (Polygon& polygon : zone.polygons)
+      for (std::vector<Vec3d>& ring : polygon.rings) move_back(scene.frame, ring);
+  for (NamedSection& section : plan.sections) move_back(scene.frame, section.line.vertices);
+  move_back(scene.frame, plan.path.vertices);
+  return plan;
+}
+
+}  // namespace sabo

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "case/case.hpp"
+
+namespace sabo {
+
+/// What a study or a sweep needs of a finished run, from its manifest.
+struct BatchRecord {
+  double spacing = 0;    ///< m
+  int member = 0;        ///< from 1; 0 when the starts are not jittered
+  std::string folder;    ///< below that of the batch
+  double simulated = 0;  ///< s
+  double wall = 0;       ///< s
+  double particles = 0;
+  double median_layers = 0;
+  bool at_rest = false;
+  double energy_imbalance = 0;                             ///< see EnergyBalance
+  std::vector<std::pair<std::string, double>> quantities;  ///< "front run-out [m]" and so on
+};
+
+/// The record of the finished run in a folder; nothing when there is none, or when it is of another
+/// case (the number of threads apart), of other inputs or by another version of the program.
+std::optional<BatchRecord> finished_record(const std::filesystem::path& folder, const Case& c);
+
+}  // namespace sabo

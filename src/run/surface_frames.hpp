@@ -1,0 +1,26 @@
+#pragma once
+
+#include <filesystem>
+
+#include "io/output/vtp.hpp"
+#include "run/read_frames.hpp"
+#include "run/scene.hpp"
+
+namespace sabo {
+
+/// Writes the surface of the flow for ParaView: a surface_*.vtp for each frame, listed in
+/// surface.pvd, with depth, mean speed over the column and elevation of the ground.
+class SurfaceFrames {
+ public:
+  SurfaceFrames(const std::filesystem::path& folder, const Scene& scene);
+
+  /// Throws RunError.
+  void write(const RunFrame& frame);
+
+ private:
+  const Scene& scene_;
+  std::filesystem::path folder_;
+  PvdWriter list_;
+};
+
+}  // namespace sabo
