@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <system_error>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -42,6 +43,17 @@ std::string percent(double share, int decimals) { return fixed(100 * share, deci
 
 std::string amount_or_dash(const std::optional<double>& value) {
   return value ? amount(*value) : "–";
+}
+
+std::string shown_unit(std::string text) {
+  for (const auto& [plain, raised] : {std::pair{"m2", "m²"}, {"m3", "m³"}, {"s2", "s²"}}) {
+    const std::size_t at = text.rfind(plain);
+    const bool is_a_unit =
+        at != text.npos &&
+        (at == 0 || std::string_view("[/ ").find(text[at - 1]) != std::string_view::npos);
+    if (is_a_unit) text.replace(at, 2, raised);
+  }
+  return text;
 }
 
 double number_of_field(const std::string& field) {

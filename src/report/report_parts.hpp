@@ -35,6 +35,7 @@ void add_balance(Report& report);
 void add_loads(Report& report);
 void add_zones(Report& report);
 void add_comparison(Report& report);
+void add_hazard(Report& report);
 void add_resolution(Report& report);
 void add_ledger(Report& report);
 void add_limits(Report& report);
@@ -57,6 +58,9 @@ std::string fixed(double value, int decimals);
 std::string percent(double share, int decimals = 0);
 /// A number that may not be there, "–" without it.
 std::string amount_or_dash(const std::optional<double>& value);
+
+/// With raised digits: "kg/m³" of "kg/m3", "volume [m³]" of "volume [m3]".
+std::string shown_unit(std::string text);
 
 /// The number in a field of a table; NaN where it is none.
 double number_of_field(const std::string& field);

@@ -26,6 +26,7 @@ void add_sections(Report& report) {
   add_loads(report);
   add_zones(report);
   add_comparison(report);
+  add_hazard(report);
   add_resolution(report);
   add_ledger(report);
   add_limits(report);

@@ -94,8 +94,9 @@ TEST(Report, EscapesTitlesAndNames) {
   run.write("series/discharge.csv",
             "time [s],\"" + evil + "\"\" net discharge [m3/s]\",x\n0,0,0\n1,2,0\n");
   run.write("series/loads.csv", "time [s]," + evil + " force x [N]\n0,0\n1,2\n");
-  run.write("compare/a.csv", evil + ",b\n" + evil + ",1\n");
-  run.write("compare/" + std::string("a<b>.svg"), "<svg><script>alert(3)</script></svg>");
+  run.write("observed/result.toml", "[result]\nruns = [\"" + evil + "\"]\n");
+  run.write("observed/tables/a.csv", evil + ",b\n" + evil + ",1\n");
+  run.write("observed/pictures/a<b>.svg", "<svg><script>alert(3)</script></svg>");
   write_plan(run.root() / "maps" / "plan.geojson",
              {{MapLine::Kind::path, "", {{{1, 10, 0}, {39, 10, 0}}, false}},
               {MapLine::Kind::dam, evil, {{{20, 0, 23}, {20, 20, 23}}, true}}},
@@ -202,6 +203,21 @@ TEST(Report, SetsAnotherRunBesideThisOne) {
   EXPECT_THAT(html, HasPiece("<td>Run-out of the front [m]</td><td>27.5</td><td>25</td><td>2.5</td>"
                              "<td>10.0 %</td>"));
   EXPECT_THAT(html, HasPiece("Discharge at s1"));
+}
+
+TEST(Report, ShowsWhatOtherCommandsLeftInTheRun) {
+  const MadeRun run;
+  EXPECT_THAT(run.report(), Not(HasPiece("Comparison")));
+  run.write("compare/result.toml", "[result]\nruns = [\"/runs/with\", \"/runs/without\"]\n");
+  run.write("compare/tables/quantities.csv", "quantity,a,b\nfront [m],10.56789,12\n");
+  run.write("compare/pictures/reached.svg", "<svg/>");
+  run.write("compare/pictures/front_01.svg", "<svg/>");
+  run.write("hazard/result.toml", "[result]\nruns = []\n");
+  const ReportText html = run.report();
+  EXPECT_THAT(html, HasPiece("a: /runs/with; b: /runs/without"));
+  EXPECT_THAT(html, HasPiece("<td>front [m]</td><td>10.6</td><td>12</td>"));
+  EXPECT_EQ(count_of(html.html, "data:image/svg+xml;base64,PHN2Zy8+"), 1u) << "one of the two";
+  EXPECT_THAT(html, HasPiece("Hazard classes</h2>"));
 }
 
 TEST(Report, RefusesWhatIsNoRun) {

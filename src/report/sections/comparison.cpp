@@ -13,6 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_rows = 60, max_columns = 10, max_picture = 20'000'000;
+constexpr std::size_t max_result = 1'000'000;  // bytes
 
 struct KnownQuantity {
   std::string_view start;  ///< of the label; a name may follow
@@ -35,9 +36,9 @@ std::string label_of(const Report& report, const std::string& label) {
   for (const KnownQuantity& known : known_quantities) {
     if (!label.starts_with(known.start) || known.start.size() > unit) continue;
     const std::string name = label.substr(known.start.size(), unit - known.start.size());
-    return report.say(known.key, name) + label.substr(unit);
+    return report.say(known.key, name) + shown_unit(label.substr(unit));
   }
-  return label;
+  return shown_unit(label);
 }
 
 void compare_quantities(Report& report) {
@@ -91,6 +92,10 @@ void show_table(Report& report, const fs::path& file, const std::string& name) {
   while (!rest.empty() && table.rows.size() < max_rows) {
     std::vector<std::string> fields = next_csv_line(rest).value_or(std::vector<std::string>{});
     if (fields.size() > max_columns) fields.resize(max_columns);
+    if (!table.header.empty())
+      for (std::string& field : fields)
+        if (const double value = number_of_field(field); std::isfinite(value))
+          field = amount(value);
     if (table.header.empty())
       table.header = std::move(fields);
     else
@@ -100,36 +105,72 @@ void show_table(Report& report, const fs::path& file, const std::string& name) {
   report.page.table(table);
 }
 
-/// What `sabo compare` left in the folder of the run: another run, a survey.
-std::vector<fs::path> files_of_comparison(const RunRecord& run) {
+/// Of the pictures of two runs beside each other those that say most; the rest is on their page.
+constexpr std::array<std::string_view, 3> chosen_of_two{"reached", "diff_pfd", "diff_dep"};
+
+bool is_shown(std::string_view part, const fs::path& picture) {
+  return part != "compare" ||
+         std::ranges::find(chosen_of_two, picture.stem().string()) != chosen_of_two.end();
+}
+
+/// Files of one kind that a command left in a folder within the run, sorted.
+std::vector<fs::path> products(const RunRecord& run, const char* part, const char* kind,
+                               const char* extension) {
   std::vector<fs::path> files;
-  for (const char* part : {"compare", "observed"}) {
-    std::error_code error;
-    fs::recursive_directory_iterator entry(run.folder() / part,
-                                           fs::directory_options::skip_permission_denied, error);
-    for (; !error && entry != fs::recursive_directory_iterator(); entry.increment(error))
-      if (entry->is_regular_file(error)) files.push_back(entry->path());
-  }
+  std::error_code error;
+  fs::directory_iterator entry(run.folder() / part / kind, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (entry->path().extension() == extension) files.push_back(entry->path());
   std::ranges::sort(files);
   return files;
+}
+
+/// Which folders stand behind the letters a, b, ... of a product.
+std::string runs_of(const RunRecord& run, const char* part) {
+  const auto content = read_file(run.folder() / part / "result.toml", max_result);
+  Faults faults;
+  const auto result = content ? parse_toml(*content, "result.toml", faults) : std::nullopt;
+  const TomlNode* node = result ? find(*result, "result") : nullptr;
+  const auto* table = node ? std::get_if<TomlTable>(&node->value) : nullptr;
+  const TomlNode* runs = table ? find(*table, "runs") : nullptr;
+  const auto* list = runs ? std::get_if<TomlArray>(&runs->value) : nullptr;
+  std::string text;
+  for (std::size_t k = 0; list && k < list->size() && k < 26; ++k)
+    if (const auto* folder = std::get_if<std::string>(&(*list)[k].value))
+      text += fmt::format("{}{}: {}", k == 0 ? "" : "; ", static_cast<char>('a' + k), *folder);
+  return text;
+}
+
+/// Tables and pictures of a command, as it left them.
+void show_products(Report& report, const char* part, const char* about) {
+  if (!report.run.has(std::string(part) + "/result.toml")) return;
+  report.page.text(report.say(about, runs_of(report.run, part)));
+  const auto name_of_file = [&](const fs::path& file) {
+    return file.lexically_relative(report.run.folder()).generic_string();
+  };
+  for (const fs::path& file : products(report.run, part, "tables", ".csv"))
+    show_table(report, file, name_of_file(file));
+  for (const fs::path& file : products(report.run, part, "pictures", ".svg"))
+    if (const auto svg = is_shown(part, file) ? read_file(file, max_picture) : std::nullopt)
+      report.page.foreign_picture(*svg, data_line(report, {name_of_file(file)}));
 }
 
 }  // namespace
 
 void add_comparison(Report& report) {
-  const std::vector<fs::path> files = files_of_comparison(report.run);
-  if (files.empty() && !report.other) return;
+  const bool has_products =
+      report.run.has("compare/result.toml") || report.run.has("observed/result.toml");
+  if (!has_products && !report.other) return;
   report.page.section(report.say("compare.title"));
   if (report.other) compare_with_run(report);
-  if (files.empty()) return;
-  report.page.text(report.say("compare.folder"));
-  for (const fs::path& file : files) {
-    const std::string name = file.lexically_relative(report.run.folder()).generic_string();
-    if (file.extension() == ".csv") show_table(report, file, name);
-    if (file.extension() == ".svg")
-      if (const auto svg = read_file(file, max_picture))
-        report.page.foreign_picture(*svg, data_line(report, {name}));
-  }
+  show_products(report, "compare", "compare.folder");
+  show_products(report, "observed", "compare.observed");
+}
+
+void add_hazard(Report& report) {
+  if (!report.run.has("hazard/result.toml")) return;
+  report.page.section(report.say("hazard.title"));
+  show_products(report, "hazard", "hazard.about");
 }
 
 }  // namespace sabo

@@ -96,7 +96,7 @@ void add_gauges(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   if (!run.has("series/gauges.csv")) return;
   const NumberTable* table = run.series("gauges.csv");
-  if (!table) return;
+  if (!table || names_before(*table, " depth [m]").empty()) return;
   page.section(say("gauge.title"));
   const std::string source = data_line(report, {"series/gauges.csv"});
   add_series_chart(report, *table, " depth [m]", say("gauge.depths"), say("axis.depth"), source);

@@ -44,13 +44,6 @@ std::string plain(const std::string& value) {
   return is_quoted ? value.substr(1, value.size() - 2) : value;
 }
 
-/// "kg/m³" of "kg/m3".
-std::string shown_unit(std::string unit) {
-  for (const auto& [digit, raised] : {std::pair{'2', "²"}, {'3', "³"}})
-    if (unit.ends_with(digit)) unit.replace(unit.size() - 1, 1, raised);
-  return unit;
-}
-
 ReportTable key_table(const Report& report, const Case& c, const std::string& name) {
   ReportTable table;
   table.header = {report.say("parameter.what"), report.say("parameter.key"),
