@@ -1,6 +1,7 @@
 // The report of a run, as its reader meets it: on the screen, under the pointer and on paper.
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
+import { readFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { after, before, test } from 'node:test';
 import { pathToFileURL } from 'node:url';
@@ -57,6 +58,27 @@ test('The report reads in English', () => withPage(url('report.html'), (page) =>
 
 test('The report reads in Japanese', () => withPage(url('report_ja.html'), (page) =>
   read(page, { sections: ['位置と地形', '平面図', 'ハイドログラフ', '適用範囲と限界'] })));
+
+/** Columns of a series by their names. */
+function seriesOf(file) {
+  const [names, ...rows] = readFileSync(join(runs.with, 'series', file), 'utf8').trim().split('\n')
+    .map((line) => line.split(','));
+  return Object.fromEntries(names.map((name, k) => [name, rows.map((row) => Number(row[k]))]));
+}
+
+test('Numbers of the report are those of the files', () => withPage(url('report.html'), async (page) => {
+  await ready(page);
+  const cell = (name) => page.locator('tr', { hasText: name }).locator('td').nth(1).textContent();
+  const front = seriesOf('front.csv');
+  assert.equal(await cell('Greatest speed'), Math.max(...front['velocity [m/s]']).toFixed(1));
+  assert.equal(Number(await cell('Run-out')), Number(front['displacement [m]'].at(-1).toPrecision(3)));
+  const { 'lowest density ratio': low, 'highest density ratio': high } = seriesOf('solver.csv');
+  assert.equal(await cell('Density over reference density'),
+    `${Math.min(...low.slice(1)).toFixed(4)} – ${Math.max(...high.slice(1)).toFixed(4)}`);
+  const data = await page.locator('figure.chart', { hasText: 'front.csv' }).first().locator('script').textContent();
+  const drawn = JSON.parse(data).series[0].y;
+  assert.deepEqual(drawn, front['position [m]'].map((value) => Number(value.toPrecision(6))));
+}));
 
 test('On paper the charts are drawn', () => withPage(url('report.html'), async (page) => {
   await ready(page);
