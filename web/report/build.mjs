@@ -1,6 +1,6 @@
 // Bundles script and style into dist/, and the hash of the script for the page's security policy.
 import { createHash } from 'node:crypto';
-import { readFileSync, writeFileSync } from 'node:fs';
+import { mkdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { build } from 'esbuild';
 
 const result = await build({
@@ -13,6 +13,7 @@ const result = await build({
   legalComments: 'none',
   write: false,
 });
+mkdirSync('dist', { recursive: true });
 for (const { path, contents } of result.outputFiles) {
   const isScript = path.endsWith('.js');
   // Of the library, whose licence wants to be in every copy.

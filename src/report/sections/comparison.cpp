@@ -92,6 +92,7 @@ void show_table(Report& report, const fs::path& file, const std::string& name) {
   while (!rest.empty() && table.rows.size() < max_rows) {
     std::vector<std::string> fields = next_csv_line(rest).value_or(std::vector<std::string>{});
     if (fields.size() > max_columns) fields.resize(max_columns);
+    for (std::string& field : fields) field = shown_unit(field);
     if (!table.header.empty())
       for (std::string& field : fields)
         if (const double value = number_of_field(field); std::isfinite(value))
@@ -149,7 +150,8 @@ void show_products(Report& report, const char* part, const char* about) {
     return file.lexically_relative(report.run.folder()).generic_string();
   };
   for (const fs::path& file : products(report.run, part, "tables", ".csv"))
-    show_table(report, file, name_of_file(file));
+    if (!report.other || file.stem() != "quantities")  // which stand above, then
+      show_table(report, file, name_of_file(file));
   for (const fs::path& file : products(report.run, part, "pictures", ".svg"))
     if (const auto svg = is_shown(part, file) ? read_file(file, max_picture) : std::nullopt)
       report.page.foreign_picture(*svg, data_line(report, {name_of_file(file)}));
