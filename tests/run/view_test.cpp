@@ -18,26 +18,47 @@ namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
 
-Surface level_ground() {
-  Raster ground(Grid{.columns = 60, .rows = 60, .west = -30, .north = 30, .dx = 1, .dy = 1});
-  return Surface(ground);
-}
-
-// 20 m along y, 2.5 m thick, 6 m high, with a notch 2 m deep and 4 m wide, whose sides rise 2 m
-// over 1 m. It goes two cells into the ground: (8 x 20 - 4 x 2 - 2 x 1) x 2.5 = 375 m3.
-TEST(DamMesh, EnclosesTheWallAndItsNotch) {
-  CheckDam dam;
-  dam.axis = {{{0, -10, 0}, {0, 10, 0}}, false};
-  dam.crest = 6;
-  dam.thickness = 2.5;
-  dam.notch = Notch{9, 4, 2, 0.5};
-  TriangleMesh mesh = dam_mesh(dam, level_ground());
-  double lowest = 0;
-  for (const Vec3d& vertex : mesh.vertices) lowest = std::min(lowest, vertex.z);
-  EXPECT_DOUBLE_EQ(lowest, -2);
-  append(mesh, {{{-1.25, -10, -2}, {1.25, -10, -2}, {1.25, 10, -2}, {-1.25, 10, -2}},
-                {{0, 2, 1}, {0, 3, 2}}});  // the missing bottom
-  EXPECT_NEAR(volume(mesh), 375, 0.02);    // sides of the notch are 1 mm off
+// A dam of 2 m by 10 m by 4 m with a slit of 1 m down to the ground, and a house, which stands in
+// no
+// [[body]] of the case.
+TEST(ViewSolids, AreStructuresWithTheirOpeningsAndBuildings) {
+  const TemporaryFolder folder;
+  Faults faults;
+  const Case c = read_case_text(R"(
+[terrain.plane]
+extent = [0, 0, 40, 20]
+[[structure]]
+name = "dam"
+line = [[20, 5], [20, 15]]
+height = 4
+thickness = 2
+[[structure.slit]]
+centre = 5
+width = 1
+[[structure]]
+name = "house"
+kind = "building"
+polygon = [[30, 8], [34, 8], [34, 12], [30, 12]]
+height = 3
+[release]
+box = [2, 8, 0, 6, 12, 1]
+[numerics]
+spacing = 0.25
+[run]
+duration = 1
+)",
+                                folder / "", faults);
+  const Scene scene = make_scene(c, faults);
+  for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
+  const std::vector<ViewSolid> solids = view_solids(c, scene);
+  ASSERT_EQ(solids.size(), 2u);
+  EXPECT_EQ(solids[0].name, "dam");
+  EXPECT_EQ(solids[1].name, "house");
+  EXPECT_NEAR(volume(solids[1].mesh), 4 * 4 * 3, 1e-6);
+  // Nothing of the dam lies within the slit above the ground.
+  for (const Vec3d& v : solids[0].mesh.vertices)
+    EXPECT_FALSE(std::abs(v.y + scene.frame.origin_y - 10) < 0.45 && v.z > 0.01)
+        << v.y << " " << v.z;
 }
 
 /// A moment of the example.
