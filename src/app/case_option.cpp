@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cstdint>
 #include <optional>
 #include <stdexcept>
@@ -57,20 +56,6 @@ class KeyFinder {
   bool is_inside_ = false;
 };
 
-/// A text as the value it would be in a case file; what is no number is a word.
-decltype(Override::value) value_of(const std::string& text) {
-  const char* const end = text.data() + text.size();
-  std::int64_t whole = 0;
-  if (const auto read = std::from_chars(text.data(), end, whole);
-      read.ec == std::errc() && read.ptr == end)
-    return whole;
-  double number = 0;
-  if (const auto read = std::from_chars(text.data(), end, number);
-      read.ec == std::errc() && read.ptr == end)
-    return number;
-  return text;
-}
-
 }  // namespace
 
 void add_case_option(CLI::App& command, const std::string& table, const std::string& key,
@@ -79,7 +64,7 @@ void add_case_option(CLI::App& command, const std::string& table, const std::str
   Case{}.describe(finder);
   if (!finder.found) throw std::logic_error("no key " + table + "." + key);
   const auto keep = [&overrides, table, key](const std::string& text) {
-    overrides.push_back({table, key, value_of(text)});
+    overrides.push_back({table, key, override_value(text)});
   };
   command.add_option_function<std::string>("--" + key, keep, finder.found->help)
       ->type_name(finder.found->value_name);

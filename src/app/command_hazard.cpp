@@ -46,7 +46,7 @@ void add_hazard_command(CLI::App& program, Action& action) {
   command->footer(
       "What rules may look at, all greatest values of a cell over the run:\n"
       "  depth [m], deposit [m], speed [m/s], depth_speed [m2/s], energy_head [m],\n"
-      "  momentum_flux [kPa], pressure [kPa], impact = density x speed2 [kPa],\n"
+      "  momentum_flux [kN/m], pressure [kPa], impact = density x speed2 [kPa],\n"
       "  impact_over_house = impact over the strength of a house, a / (H (b - H))\n\n"
       "Examples:\n  sabo hazard demo-run --rules japan\n"
       "  sabo hazard run-30 run-100 run-300 --rules swiss --periods 30,100,300\n"

@@ -9,16 +9,14 @@
 
 namespace sabo {
 
-bool open_browser(const std::string& address) {
-  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return false;
+void open_browser(const std::string& address) {
+  if (!std::getenv("DISPLAY") && !std::getenv("WAYLAND_DISPLAY")) return;
   std::string program = "xdg-open", argument = address;
   std::array<char*, 3> arguments{program.data(), argument.data(), nullptr};
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0)
-    return false;
-  int status = 0;
-  waitpid(child, &status, 0);  // xdg-open hands over to the browser and ends
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    return;
+  waitpid(child, nullptr, 0);  // xdg-open hands over to the browser and ends
 }
 
 }  // namespace sabo

@@ -4,8 +4,7 @@
 
 namespace sabo {
 
-/// Opens an address in the user's browser (xdg-open), where there is a display; whether it was
-/// tried.
-bool open_browser(const std::string& address);
+/// Opens an address in the user's browser (xdg-open), where there is a display.
+void open_browser(const std::string& address);
 
 }  // namespace sabo

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <array>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "base/colour.hpp"
 #include "base/describe.hpp"
 
 namespace sabo {
@@ -19,7 +19,7 @@ enum class HazardQuantity {
   speed,             ///< m/s
   depth_speed,       ///< depth x speed, m2/s
   energy_head,       ///< depth + speed^2 / 2 g, m
-  momentum_flux,     ///< of the map pmf, kPa
+  momentum_flux,     ///< density x depth x speed^2, of the map pmf, kN/m
   pressure,          ///< in the column of the flow, kPa
   impact,            ///< density x speed^2, kPa
   impact_over_house  ///< impact over the strength of an ordinary house
@@ -41,7 +41,7 @@ struct HazardCondition {
 struct HazardClass {
   std::string name;
   std::string label;
-  std::array<std::uint8_t, 3> colour{};
+  Colour colour{};
   /// A cell is in the class when all conditions of one of these lists hold; without a list every
   /// wet cell is. Not used for levels.
   std::vector<std::vector<HazardCondition>> when = {};

@@ -26,6 +26,12 @@ MapStyle style_of(const RunMap& map, double wet_depth) {
   if (map.name == "pfd") return {"Greatest depth", labelled("depth"), wet_depth, {}};
   if (map.name == "pfv") return {"Greatest speed", labelled("speed"), least, {}};
   if (map.name == "ppr") return {"Greatest pressure", labelled("pressure"), least, {}};
+  if (map.name == "pmf")
+    return {"Greatest momentum flux", labelled("density x depth x speed²"), least, {}};
+  if (map.name == "det")
+    return {"Thickness at the end, normal to the ground", labelled("thickness"), wet_depth, {}};
+  if (map.name == "pft")
+    return {"Greatest thickness, normal to the ground", labelled("thickness"), wet_depth, {}};
   if (map.name == "tarr") return {"Arrival", labelled("time"), 0, {}};
   if (map.name == "res")
     return {"Resolution", labelled("depth over spacing"), 0, resolution_steps()};

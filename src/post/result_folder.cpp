@@ -13,6 +13,7 @@
 #include "io/output/csv.hpp"
 #include "io/output/file.hpp"
 #include "io/output/read_file.hpp"
+#include "run/own_folder.hpp"
 
 namespace sabo {
 namespace {
@@ -48,16 +49,9 @@ ResultFolder::ResultFolder(fs::path folder, const std::string& kind,
                            const std::vector<fs::path>& runs)
     : root_(std::move(folder)) {
   std::error_code error;
-  if (fs::exists(root_, error)) {
-    if (!fs::is_directory(root_, error))
-      throw CaseError(root_.string(), "is a file, not a folder", "choose another name with -o");
-    if (!fs::is_empty(root_, error)) {
-      if (kind_of(root_) != kind)
-        throw CaseError(root_.string(), "holds files that are not those of this command",
-                        "choose another folder with -o");
-      for (const char* part : parts) fs::remove_all(root_ / part, error);
-    }
-  }
+  if (holds_own_files(
+          root_, [&] { return kind_of(root_) == kind; }, "this command"))
+    for (const char* part : parts) fs::remove_all(root_ / part, error);
   for (const char* part : parts) {
     fs::create_directories(root_ / part, error);
     if (error) throw RunError(fmt::format("cannot make {}: {}", root_.string(), error.message()));

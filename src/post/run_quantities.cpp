@@ -30,9 +30,9 @@ const std::map<std::string_view, Word>& load_words() {
       {"peak_force", {"peak force", "N"}},
       {"peak_time", {"time of the peak force", "s"}},
       {"filter", {"filter of the force", "s"}},
-      {"peak_moment", {"peak moment", "N m"}},
       {"hydrostatic", {"hydrostatic force by formula", "N"}},
-      {"dynamic", {"dynamic force by formula", "N"}}};
+      {"dynamic", {"dynamic force by formula", "N"}},
+      {"row_time", {"time of the greatest mean force", "s"}}};
   return words;
 }
 

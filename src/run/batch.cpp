@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "io/output/file.hpp"
+#include "run/own_folder.hpp"
 
 namespace sabo {
 namespace {
@@ -53,13 +54,8 @@ class Queue {
 void prepare_batch(const fs::path& folder, const std::string& kind) {
   std::error_code error;
   const fs::path mark = folder / (kind + ".toml");
-  if (fs::exists(folder, error)) {
-    if (!fs::is_directory(folder, error))
-      throw CaseError(folder.string(), "is a file, not a folder", "choose another name with -o");
-    if (!fs::is_empty(folder, error) && !fs::exists(mark, error))
-      throw CaseError(folder.string(), fmt::format("holds files that are not those of a {}", kind),
-                      "choose another folder with -o");
-  }
+  holds_own_files(
+      folder, [&] { return fs::exists(mark, error); }, "a " + kind);
   fs::create_directories(folder, error);
   if (error) throw RunError("cannot make " + folder.string() + ": " + error.message());
   if (!fs::exists(mark, error)) write_file_atomically(mark, fmt::format("[{}]\n", kind));

@@ -1,5 +1,6 @@
 #include "run/batch_record.hpp"
 
+#include <algorithm>
 #include <string_view>
 #include <variant>
 
@@ -55,6 +56,19 @@ bool is_case_of(const std::filesystem::path& folder, const Case& c) {
 }
 
 }  // namespace
+
+std::optional<double> BatchRecord::quantity(std::string_view label) const {
+  const auto found = std::ranges::find(quantities, label, &std::pair<std::string, double>::first);
+  return found == quantities.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::vector<std::string> quantity_labels(const std::vector<BatchRecord>& records) {
+  std::vector<std::string> labels;
+  for (const BatchRecord& record : records)
+    for (const auto& [label, value] : record.quantities)
+      if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
+  return labels;
+}
 
 std::optional<BatchRecord> finished_record(const std::filesystem::path& folder, const Case& c) {
   const auto text = read_file(folder / "manifest.toml", max_manifest);

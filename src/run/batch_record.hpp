@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,13 @@ struct BatchRecord {
   bool at_rest = false;
   double energy_imbalance = 0;                             ///< see EnergyBalance
   std::vector<std::pair<std::string, double>> quantities;  ///< "front run-out [m]" and so on
+
+  /// A quantity by its label; none where the run has it not.
+  std::optional<double> quantity(std::string_view label) const;
 };
+
+/// Labels of the quantities of all records in the order in which they first come.
+std::vector<std::string> quantity_labels(const std::vector<BatchRecord>& records);
 
 /// The record of the finished run in a folder; nothing when there is none, or when it is of another
 /// case (the number of threads apart), of other inputs or by another version of the program.

@@ -5,11 +5,12 @@
 #include <fmt/format.h>
 
 #include "io/case_file/toml_string.hpp"
+#include "run/amount_text.hpp"
 
 namespace sabo {
 namespace {
 
-std::string kilo(double value) { return fmt::format("{:.3g}", value / 1000); }
+std::string kilo(double value) { return amount_text(value / 1000); }
 
 std::string triple(const Vec3d& v) {
   return fmt::format("[{:.9g}, {:.9g}, {:.9g}]", v.x, v.y, v.z);

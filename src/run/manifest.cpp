@@ -263,7 +263,8 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"frames/flow.pvd", "particles as a time series for ParaView"},
       {"frames/surface.pvd", "surface of the flow as a time series for ParaView"},
       {"frames/ground.vtp", "the ground for ParaView"}};
-  if (!c.bodies.empty()) page.files.push_back({"frames/bodies.vtp", "the bodies for ParaView"});
+  if (!scene.dams.empty() || !scene.bodies.empty())
+    page.files.push_back({"frames/bodies.vtp", "structures and bodies for ParaView"});
   if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
   if (!c.sections.empty()) {
     page.files.push_back({"series/sections.csv", "area, depth and speeds at the sections"});

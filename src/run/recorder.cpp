@@ -63,6 +63,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       sampling_distance_(std::max({scene.surface->elevation().grid.dx,
                                    scene.surface->elevation().grid.dy, c.numerics.spacing})),
       has_dams_(!scene.check_dams().empty()),
+      has_places_(!scene.zones.empty() || !scene.gauges.empty() || !loads_.is_empty()),
       has_dynamic_walls_(c.numerics.method == Method::paper),
       front_csv_(folder.series() / "front.csv",
                  {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),
@@ -146,7 +147,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
 
   front_csv_.append({row.time, row.front.position, row.front.displacement, row.front.velocity});
   discharge_csv_.append(discharge);
-  columns_.update(backend.fluid());
+  if (has_places_) columns_.update(backend.fluid());
   write_zones(row);
   section_states_.write_row(row.time, backend.fluid());
   gauges_.write_row(row.time, backend.fluid(), columns_);

@@ -80,6 +80,7 @@ class Recorder {
   double travelled_ = 0;      // by the fastest particle since the maps were sampled, m
   std::size_t put_back_seen_ = 0;
   bool has_dams_;
+  bool has_places_;  // zones, gauges or structures, which look at the columns
   bool has_dynamic_walls_;
   Energy left_;
   std::vector<SeriesRow> rows_;

@@ -8,30 +8,23 @@
 #include "base/error.hpp"
 #include "io/case_file/toml_string.hpp"
 #include "io/output/file.hpp"
+#include "run/own_folder.hpp"
 
 namespace sabo {
 
 RunFolder::RunFolder(std::filesystem::path folder, bool overwrite) : root_(std::move(folder)) {
   namespace fs = std::filesystem;
   std::error_code error;
-  if (fs::exists(root_, error)) {
-    if (!fs::is_directory(root_, error))
-      throw CaseError(root_.string(), "is a file, not a folder", "choose another name with -o");
-    const bool is_empty = fs::is_empty(root_, error);
-    const bool is_run = fs::exists(manifest(), error);
-    if (!is_empty && !is_run)
-      throw CaseError(root_.string(), "holds files that are not those of a run",
-                      "choose another folder with -o");
-    if (is_run && !overwrite)
+  if (holds_own_files(
+          root_, [&] { return fs::exists(manifest(), error); }, "a run")) {
+    if (!overwrite)
       throw CaseError(root_.string(), "holds a run already",
                       "choose another folder with -o, or say --overwrite");
-    if (is_run)
-      for (const fs::path& part : {maps(), series(), frames(), pictures(), view(), index(),
-                                   states(), report(), japanese_report()})
-        fs::remove_all(part, error);
+    for (const fs::path& part : {maps(), series(), frames(), pictures(), view(), index(), states(),
+                                 report(), japanese_report()})
+      fs::remove_all(part, error);
     for (const char* made : {"compare", "observed", "hazard", "export"})  // of the run before
-      if (is_run && fs::exists(root_ / made / "result.toml", error))
-        fs::remove_all(root_ / made, error);
+      if (fs::exists(root_ / made / "result.toml", error)) fs::remove_all(root_ / made, error);
   }
   for (const fs::path& part : {root_, maps(), series(), frames(), pictures()}) {
     fs::create_directories(part, error);

@@ -41,7 +41,6 @@ struct LoadRow {
 /// series/pressure_profiles.csv.
 class StructureLoads {
  public:
-  /// `columns` are those that write_row() is given.
   StructureLoads(const LoadCase& settings, const Scene& scene, const FlowModel& model,
                  const RunFolder& folder);
   ~StructureLoads();

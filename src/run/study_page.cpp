@@ -71,9 +71,8 @@ std::string runs_csv(const std::vector<BatchRecord>& records, const StudyTable& 
                                     number(record.median_layers),
                                     number(record.wall)};
     for (const StudyRow& row : table.rows) {
-      const auto found =
-          std::ranges::find(record.quantities, row.label, &std::pair<std::string, double>::first);
-      fields.push_back(found == record.quantities.end() ? "" : number(found->second));
+      const auto value = record.quantity(row.label);
+      fields.push_back(value ? number(*value) : "");
     }
     text += csv_line(fields);
   }
@@ -121,8 +120,8 @@ std::string chart_of(const StudyRow& row, const std::vector<BatchRecord>& record
   const bool has_curve = row.shows_limit() && result.order > 0;
   ChartSeries runs{"runs", {}, {}, true, !has_curve && !table.has_members};
   for (const BatchRecord& record : records)
-    for (const auto& [label, value] : record.quantities)
-      if (label == row.label) runs.x.push_back(record.spacing), runs.y.push_back(value);
+    if (const auto value = record.quantity(row.label))
+      runs.x.push_back(record.spacing), runs.y.push_back(*value);
   double low = std::ranges::min(runs.y), high = std::ranges::max(runs.y);
   if (has_curve) chart.series.push_back(fitted_curve(row, table));
   chart.series.push_back(std::move(runs));

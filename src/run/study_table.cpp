@@ -15,18 +15,12 @@ namespace {
 // Celik et al. (2008): below it rounding and scatter pass for an order.
 constexpr double least_ratio = 1.3;
 
-std::optional<double> quantity_of(const BatchRecord& record, const std::string& label) {
-  for (const auto& [name, value] : record.quantities)
-    if (name == label) return value;
-  return std::nullopt;
-}
-
 std::optional<StudyRow::Value> value_at(const std::vector<BatchRecord>& records, double spacing,
                                         const std::string& label) {
   std::vector<double> values;
   for (const BatchRecord& record : records) {
     if (record.spacing != spacing) continue;
-    if (const auto value = quantity_of(record, label)) values.push_back(*value);
+    if (const auto value = record.quantity(label)) values.push_back(*value);
   }
   if (values.empty()) return std::nullopt;
   return StudyRow::Value{scatter_of(values), values.size()};
@@ -77,14 +71,6 @@ std::string remark_on(const StudyRow& row) {
   return fmt::format("{}", fmt::join(remarks, "; "));
 }
 
-std::vector<std::string> labels_of(const std::vector<BatchRecord>& records) {
-  std::vector<std::string> labels;
-  for (const BatchRecord& record : records)
-    for (const auto& [label, value] : record.quantities)
-      if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
-  return labels;
-}
-
 std::string value_text(const std::optional<StudyRow::Value>& value) {
   if (!value) return "-";
   const std::string mean = number_text(value->scatter.mean);
@@ -111,7 +97,7 @@ StudyTable study_table(const std::vector<BatchRecord>& records) {
   table.spacings.erase(std::unique(table.spacings.begin(), table.spacings.end()),
                        table.spacings.end());
 
-  for (const std::string& label : labels_of(records)) {
+  for (const std::string& label : quantity_labels(records)) {
     StudyRow row;
     row.label = label;
     std::vector<GridSample> samples;

@@ -1,9 +1,6 @@
 #include "run/sweep_page.hpp"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
-#include <limits>
 #include <map>
 #include <optional>
 #include <system_error>
@@ -12,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "base/error.hpp"
+#include "base/parsed_number.hpp"
 #include "base/version.hpp"
 #include "io/output/csv.hpp"
 #include "io/output/file.hpp"
@@ -23,29 +21,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+std::vector<std::string> labels_of(const SweepTable& table) {
+  std::vector<BatchRecord> records;
+  for (const SweepRow& row : table.rows) records.push_back(row.record);
+  return quantity_labels(records);
+}
+
 std::string sweep_csv(const SweepTable& table) {
   std::vector<std::string> header{"folder"};
   header.insert(header.end(), table.keys.begin(), table.keys.end());
-  const std::vector<std::string> labels = table.quantities();
+  const std::vector<std::string> labels = labels_of(table);
   header.insert(header.end(), labels.begin(), labels.end());
   std::string text = csv_line(header);
   for (const SweepRow& row : table.rows) {
     std::vector<std::string> fields{row.record.folder};
     fields.insert(fields.end(), row.values.begin(), row.values.end());
     for (const std::string& label : labels) {
-      const double value = quantity_of(row.record, label);
-      fields.push_back(std::isnan(value) ? "" : fmt::format("{:.9g}", value));
+      const auto value = row.record.quantity(label);
+      fields.push_back(value ? fmt::format("{:.9g}", *value) : "");
     }
     text += csv_line(fields);
   }
   return text;
-}
-
-std::optional<double> number_of(const std::string& text) {
-  double number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  if (error != std::errc() || end != text.data() + text.size()) return std::nullopt;
-  return number;
 }
 
 /// A quantity over the first key, a line for each combination of the others; none when the key has
@@ -54,10 +51,10 @@ std::optional<LineChart> chart_of(const SweepTable& table, const std::string& la
   LineChart chart{label.substr(0, label.rfind(" [")), table.keys[0], label};
   std::map<std::string, std::size_t> lines;
   for (const SweepRow& row : table.rows) {
-    const auto x = number_of(row.values[0]);
-    const double y = quantity_of(row.record, label);
+    const auto x = parsed_number<double>(row.values[0]);
+    const auto y = row.record.quantity(label);
     if (!x) return std::nullopt;
-    if (std::isnan(y)) continue;
+    if (!y) continue;
     std::string name;
     for (std::size_t k = 1; k < row.values.size(); ++k)
       name += fmt::format("{}{} {}", k > 1 ? ", " : "",
@@ -68,7 +65,7 @@ std::optional<LineChart> chart_of(const SweepTable& table, const std::string& la
       chart.series.back().has_markers = true;
     }
     chart.series[line->second].x.push_back(*x);
-    chart.series[line->second].y.push_back(y);
+    chart.series[line->second].y.push_back(*y);
   }
   const bool has_line = std::ranges::any_of(
       chart.series, [](const ChartSeries& series) { return series.x.size() > 1; });
@@ -77,31 +74,17 @@ std::optional<LineChart> chart_of(const SweepTable& table, const std::string& la
 
 }  // namespace
 
-std::vector<std::string> SweepTable::quantities() const {
-  std::vector<std::string> labels;
-  for (const SweepRow& row : rows)
-    for (const auto& [label, value] : row.record.quantities)
-      if (std::ranges::find(labels, label) == labels.end()) labels.push_back(label);
-  return labels;
-}
-
-double quantity_of(const BatchRecord& record, const std::string& label) {
-  for (const auto& [name, value] : record.quantities)
-    if (name == label) return value;
-  return std::numeric_limits<double>::quiet_NaN();
-}
-
 PageTable sweep_table(const SweepTable& table) {
   PageTable page;
   page.caption = "Results of each run";
   page.header = table.keys;
-  const std::vector<std::string> labels = table.quantities();
+  const std::vector<std::string> labels = labels_of(table);
   page.header.insert(page.header.end(), labels.begin(), labels.end());
   for (const SweepRow& row : table.rows) {
     std::vector<std::string> cells = row.values;
     for (const std::string& label : labels) {
-      const double value = quantity_of(row.record, label);
-      cells.push_back(std::isnan(value) ? "-" : number_text(value));
+      const auto value = row.record.quantity(label);
+      cells.push_back(value ? number_text(*value) : "-");
     }
     page.rows.push_back(std::move(cells));
   }
@@ -122,7 +105,7 @@ fs::path write_sweep(const SweepPage& sweep, const fs::path& folder) {
   page.tables = {sweep_table(sweep.table)};
   page.pictures = sweep.pictures;
   int number = 0;
-  for (const std::string& label : sweep.table.quantities()) {
+  for (const std::string& label : labels_of(sweep.table)) {
     const auto chart = chart_of(sweep.table, label);
     if (!chart) continue;
     const std::string name = fmt::format("pictures/quantity_{:02}.svg", ++number);

@@ -18,13 +18,7 @@ struct SweepRow {
 struct SweepTable {
   std::vector<std::string> keys;
   std::vector<SweepRow> rows;
-
-  /// Labels of all quantities in the order in which they first come.
-  std::vector<std::string> quantities() const;
 };
-
-/// The quantity of a run; NaN without it.
-double quantity_of(const BatchRecord& record, const std::string& label);
 
 /// A row a run: its values and its quantities.
 PageTable sweep_table(const SweepTable& table);

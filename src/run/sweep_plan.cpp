@@ -1,14 +1,14 @@
 #include "run/sweep_plan.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <optional>
+#include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "base/error.hpp"
+#include "base/parsed_number.hpp"
 #include "run/load_case.hpp"
 #include "run/scene.hpp"
 
@@ -16,15 +16,6 @@ namespace sabo {
 namespace {
 
 constexpr std::size_t most_runs = 10'000;
-using Value = std::variant<std::int64_t, double, std::string>;
-
-template <class Number>
-std::optional<Number> parsed(std::string_view text) {
-  Number number{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_whole = error == std::errc() && end == text.data() + text.size();
-  return is_whole ? std::optional(number) : std::nullopt;
-}
 
 std::vector<std::string_view> split(std::string_view text, char separator) {
   std::vector<std::string_view> parts;
@@ -43,10 +34,10 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
 }
 
 /// First, last and step; the last one counts when the steps meet it to rounding.
-void add_range(std::string_view text, std::vector<Value>& values) {
+void add_range(std::string_view text, std::vector<Override::Value>& values) {
   std::vector<double> numbers;
   for (const std::string_view part : split(text, ':')) {
-    const auto number = parsed<double>(part);
+    const auto number = parsed_number<double>(part);
     if (!number || !std::isfinite(*number)) refuse(fmt::format("\"{}\" is no number", part));
     numbers.push_back(*number);
   }
@@ -56,14 +47,9 @@ void add_range(std::string_view text, std::vector<Value>& values) {
     refuse(fmt::format("\"{}\" leads nowhere, or makes too many steps", text));
   for (int k = 0; k <= std::floor(count + 1e-9); ++k) {
     // As one would write it: 0.3, not 0.30000000000000004.
-    values.emplace_back(*parsed<double>(fmt::format("{:.12g}", numbers[0] + k * numbers[2])));
+    values.emplace_back(
+        *parsed_number<double>(fmt::format("{:.12g}", numbers[0] + k * numbers[2])));
   }
-}
-
-Value value_of(std::string_view text) {
-  if (const auto whole = parsed<std::int64_t>(text)) return *whole;
-  if (const auto number = parsed<double>(text); number && std::isfinite(*number)) return *number;
-  return std::string(text);
 }
 
 /// Without what a name of a folder had better not hold.
@@ -103,7 +89,7 @@ SweepRun run_of(const SweepRequest& request, const std::vector<std::size_t>& cho
 
 }  // namespace
 
-std::string value_text(const Value& value) {
+std::string value_text(const Override::Value& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
   return std::get<std::string>(value);
@@ -120,7 +106,7 @@ Variation read_variation(const std::string& text) {
     if (part.find(':') != std::string_view::npos) {
       add_range(part, variation.values);
     } else {
-      variation.values.push_back(value_of(part));
+      variation.values.push_back(override_value(std::string(part)));
     }
   }
   return variation;
@@ -142,6 +128,7 @@ std::vector<SweepRun> sweep_plan(const SweepRequest& request) {
       throw CaseError("--depths", fmt::format("{:g} m is no depth", depth), "give lengths above 0");
 
   std::vector<SweepRun> runs;
+  std::set<std::string> folders;
   std::vector<std::size_t> choice(request.variations.size(), 0);
   for (std::size_t number = 0; number < count; ++number) {
     std::size_t rest = number;
@@ -150,9 +137,8 @@ std::vector<SweepRun> sweep_plan(const SweepRequest& request) {
       rest /= request.variations[k].values.size();
     }
     runs.push_back(run_of(request, choice));
-    for (std::size_t other = 0; other + 1 < runs.size(); ++other)
-      if (runs[other].folder == runs.back().folder)
-        refuse(fmt::format("{} is made twice", runs.back().folder));
+    if (!folders.insert(runs.back().folder).second)
+      refuse(fmt::format("{} is made twice", runs.back().folder));
   }
   return runs;
 }

@@ -12,7 +12,7 @@ namespace sabo {
 /// A key of the case and the values that it takes.
 struct Variation {
   Override key;  ///< its value is of no account
-  std::vector<std::variant<std::int64_t, double, std::string>> values;
+  std::vector<Override::Value> values;
 
   std::string name() const { return key.table + "." + key.key; }
 };
@@ -22,7 +22,7 @@ struct Variation {
 Variation read_variation(const std::string& text);
 
 /// A value as it stands in the case and in names of folders.
-std::string value_text(const std::variant<std::int64_t, double, std::string>& value);
+std::string value_text(const Override::Value& value);
 
 struct SweepRequest {
   std::filesystem::path case_path;

@@ -76,8 +76,8 @@ struct WallClosingTask {
   const MotionRecord* records;
   const std::uint32_t* rows;  ///< boundary particles, counted from the first fluid one
   std::size_t first, last;    ///< range of `rows`
-  const float*
-      pressure;  ///< this and that below by place in `rows`; a wall without hands nothing back
+  // By place in `rows`; a wall without pressure hands nothing back.
+  const float* pressure;
   const float* weight;
   ClosingRecord* closing;  ///< out, by particle
 };

@@ -2,22 +2,15 @@
 
 #include <fmt/format.h>
 
+#include "io/case_file/check_parts.hpp"
+
 namespace sabo {
 namespace {
-
-/// A key, whether it is given, and whether the kind of body has it and needs it.
-struct Rule {
-  const char* key;
-  bool is_given;
-  bool applies;
-  bool is_needed = false;
-  const char* remedy = "give it";
-};
 
 void check_keys(const BodyCase& body, const std::string& path, Faults& faults) {
   const BodyCase plain;
   const bool is_mesh = body.kind == BodyKind::mesh;
-  const Rule rules[] = {
+  const KeyRule rules[] = {
       {"min", body.min.has_value(), !is_mesh, true, "give its lowest corner [x, y, z]"},
       {"max", body.max.has_value(), !is_mesh, true, "give the corner across [x, y, z]"},
       {"rotation", body.rotation != plain.rotation, !is_mesh},
@@ -28,16 +21,7 @@ void check_keys(const BodyCase& body, const std::string& path, Faults& faults) {
        "give the place of its origin [x, y, z]"},
       {"scale", body.scale != plain.scale, is_mesh},
       {"flow", body.flow != plain.flow, is_mesh}};
-  for (const Rule& rule : rules) {
-    const std::string key = fmt::format("{}.{}", path, rule.key);
-    if (faults.has(key)) continue;
-    if (rule.is_given && !rule.applies) {
-      faults.add(key, fmt::format("does not apply to kind \"{}\"", word_of(body.kind)),
-                 "remove it");
-    } else if (!rule.is_given && rule.applies && rule.is_needed) {
-      faults.add(key, "is missing", rule.remedy);
-    }
-  }
+  check_keys(rules, word_of(body.kind), path, faults);
 }
 
 void check_corners(const BodyCase& body, const std::string& path, Faults& faults) {

@@ -28,4 +28,17 @@ void check_polygon(const LineSource& polygon, const std::string& key, Faults& fa
   }
 }
 
+void check_keys(std::span<const KeyRule> rules, std::string_view kind, const std::string& path,
+                Faults& faults) {
+  for (const KeyRule& rule : rules) {
+    const std::string key = fmt::format("{}.{}", path, rule.key);
+    if (faults.has(key)) continue;
+    if (rule.is_given && !rule.applies) {
+      faults.add(key, fmt::format("does not apply to kind \"{}\"", kind), "remove it");
+    } else if (!rule.is_given && rule.applies && rule.is_needed) {
+      faults.add(key, "is missing", rule.remedy);
+    }
+  }
+}
+
 }  // namespace sabo

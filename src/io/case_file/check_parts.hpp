@@ -1,7 +1,9 @@
 #pragma once
 
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -21,6 +23,19 @@ void check_line(const LineSource& line, const std::string& key, Faults& faults);
 
 /// A polygon given by coordinates has three corners at least.
 void check_polygon(const LineSource& polygon, const std::string& key, Faults& faults);
+
+/// A key, whether it is given, and whether the kind of thing that has it can have it and needs it.
+struct KeyRule {
+  const char* key;
+  bool is_given;
+  bool applies;
+  bool is_needed = false;
+  const char* remedy = "give it";
+};
+
+/// Adds a fault for each key of the table `path` that its kind cannot have or lacks.
+void check_keys(std::span<const KeyRule> rules, std::string_view kind, const std::string& path,
+                Faults& faults);
 
 /// Names stand for their owners in the outputs.
 template <class T>

@@ -182,6 +182,13 @@ void check_release(const ReleaseCase& release, Faults& faults) {
   }
 }
 
+void check_gauge(const GaugeCase& gauge, const std::string& path, Faults& faults) {
+  const bool has_place = gauge.place.has_value(), has_file = !gauge.file.empty();
+  if (has_place != has_file || faults.has(path + ".place") || faults.has(path + ".file")) return;
+  faults.add(path, has_place ? "has a place and a file" : "has no place",
+             "give one of place = [x, y] and file");
+}
+
 /// A concentration stands for a viscosity; where both are given they must agree.
 void check_concentration(const MaterialCase& material, Faults& faults) {
   const std::string key = "material.concentration";
@@ -287,12 +294,7 @@ void check_rules(const Case& c, Faults& faults) {
     check_line(c.sections[i].line, fmt::format("section[{}].line", i + 1), faults);
   }
   for (std::size_t i = 0; i < c.gauges.size(); ++i) {
-    const bool has_place = c.gauges[i].place.has_value(), has_file = !c.gauges[i].file.empty();
-    const std::string path = fmt::format("gauge[{}]", i + 1);
-    if (has_place != has_file || faults.has(path + ".place") || faults.has(path + ".file"))
-      continue;
-    faults.add(path, has_place ? "has a place and a file" : "has no place",
-               "give one of place = [x, y] and file");
+    check_gauge(c.gauges[i], fmt::format("gauge[{}]", i + 1), faults);
   }
   for (std::size_t i = 0; i < c.zones.size(); ++i) {
     check_polygon(c.zones[i].polygon, fmt::format("zone[{}].polygon", i + 1), faults);

@@ -8,20 +8,11 @@
 namespace sabo {
 namespace {
 
-/// A key, whether it is given, and whether the kind of structure has it and needs it.
-struct Rule {
-  const char* key;
-  bool is_given;
-  bool applies;
-  bool is_needed = false;
-  const char* remedy = "give it";
-};
-
 void check_keys(const StructureCase& structure, const std::string& path, Faults& faults) {
   const bool is_dam = structure.kind == StructureKind::check_dam;
   const bool is_building = structure.kind == StructureKind::building;
   const bool has_file = !structure.polygon.file.empty();
-  const Rule rules[] = {
+  const KeyRule rules[] = {
       {"line", structure.line.given(), !is_building, true, "give a vector file or coordinates"},
       {"polygon", structure.polygon.given(), is_building, true,
        "give a vector file or coordinates"},
@@ -31,16 +22,7 @@ void check_keys(const StructureCase& structure, const std::string& path, Faults&
       {"notch", structure.notch.has_value(), is_dam},
       {"slit", !structure.slits.empty(), is_dam},
       {"grid", !structure.grids.empty(), is_dam}};
-  for (const Rule& rule : rules) {
-    const std::string key = fmt::format("{}.{}", path, rule.key);
-    if (faults.has(key)) continue;
-    if (rule.is_given && !rule.applies) {
-      faults.add(key, fmt::format("does not apply to kind \"{}\"", word_of(structure.kind)),
-                 "remove it");
-    } else if (!rule.is_given && rule.applies && rule.is_needed) {
-      faults.add(key, "is missing", rule.remedy);
-    }
-  }
+  check_keys(rules, word_of(structure.kind), path, faults);
   const std::string attribute = path + ".height_attribute";
   if (is_building && !structure.height_attribute.empty() && structure.polygon.given() &&
       !has_file && !faults.has(attribute)) {

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "base/parsed_number.hpp"
 #include "io/case_file/check_rules.hpp"
 #include "io/case_file/key_text.hpp"
 #include "io/case_file/read_value.hpp"
@@ -219,6 +220,12 @@ Case read_text(std::string_view text, const FileContext& file,
 }
 
 }  // namespace
+
+Override::Value override_value(const std::string& text) {
+  if (const auto whole = parsed_number<std::int64_t>(text)) return *whole;
+  if (const auto number = parsed_number<double>(text)) return *number;
+  return text;
+}
 
 Case read_case(const std::filesystem::path& case_file_or_folder, Faults& faults,
                const std::vector<Override>& overrides) {

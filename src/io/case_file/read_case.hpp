@@ -16,8 +16,12 @@ namespace sabo {
 struct Override {
   std::string table;  ///< e.g. "numerics", or "structure[2]" for the second one
   std::string key;    ///< e.g. "spacing"
-  std::variant<std::int64_t, double, std::string> value;
+  using Value = std::variant<std::int64_t, double, std::string>;
+  Value value;
 };
+
+/// A text as the value it would be in a case file; what is no number is a word.
+Override::Value override_value(const std::string& text);
 
 /// Reads `case_file_or_folder`; of a folder, its case.toml. Keys that are not given keep their
 /// defaults, file paths become absolute, and nameless structures and sections get names. Adds every

@@ -1,11 +1,11 @@
 #include "io/case_file/read_hazard_rules.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "base/colour.hpp"
 #include "io/case_file/hazard_rule_files.hpp"
 #include "io/case_file/key_text.hpp"
 #include "io/case_file/toml_tree.hpp"
@@ -95,17 +95,11 @@ class RuleTable {
   std::vector<std::string> known_;
 };
 
-std::array<std::uint8_t, 3> read_colour(RuleTable& table) {
+Colour read_colour(RuleTable& table) {
   const std::string text = table.text("colour", true);
-  std::array<std::uint8_t, 3> colour{};
-  bool is_colour = text.size() == 7 && text[0] == '#';
-  for (std::size_t c = 0; is_colour && c < colour.size(); ++c) {
-    const char* first = text.data() + 1 + 2 * c;
-    is_colour = std::from_chars(first, first + 2, colour[c], 16).ptr == first + 2;
-  }
-  if (!is_colour && !text.empty())
-    table.fault("colour", "is not a colour", "write it as \"#rrggbb\"");
-  return colour;
+  const auto colour = colour_of(text);
+  if (!colour && !text.empty()) table.fault("colour", "is not a colour", "write it as \"#rrggbb\"");
+  return colour.value_or(Colour{});
 }
 
 std::vector<HazardCondition> read_conditions(const TomlTable& conditions, RuleTable& table) {

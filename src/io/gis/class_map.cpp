@@ -11,8 +11,8 @@
 #include <ogrsf_frmts.h>
 
 #include "base/error.hpp"
-#include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
+#include "io/gis/georeference.hpp"
 #include "io/gis/partial_file.hpp"
 
 namespace sabo {
@@ -30,11 +30,6 @@ std::vector<GByte> bytes_of(const Raster& classes) {
     bytes[cell] = static_cast<GByte>(value);
   }
   return bytes;
-}
-
-void place(GDALDataset& data, const Grid& grid) {
-  std::array<double, 6> geotransform{grid.west, grid.dx, 0, grid.north, 0, -grid.dy};
-  data.SetGeoTransform(geotransform.data());
 }
 
 bool write_bytes(GDALRasterBand& band, const Grid& grid, std::vector<GByte>& bytes) {
@@ -103,9 +98,7 @@ void write_class_raster(const std::filesystem::path& file, const Raster& classes
       driver->Create(partial.path().c_str(), grid.columns, grid.rows, 1, GDT_Byte, options.List()));
   bool is_written = data != nullptr;
   if (is_written) {
-    place(*data, grid);
-    const OGRSpatialReference crs = crs_of(crs_wkt);
-    if (!crs.IsEmpty()) data->SetSpatialRef(&crs);
+    georeference(*data, grid, crs_wkt);
     describe(*data, names, description);
     is_written = write_bytes(*data->GetRasterBand(1), grid, bytes);
     data.reset();
@@ -131,7 +124,7 @@ std::vector<ClassPolygon> polygons_of(const Raster& classes) {
   OGRFieldDefn field("number", OFTInteger);
   bool is_done = raster && layer && layer->CreateField(&field) == OGRERR_NONE;
   if (is_done) {
-    place(*raster, grid);
+    georeference(*raster, grid, "");
     GDALRasterBand& band = *raster->GetRasterBand(1);
     band.SetNoDataValue(0);
     is_done = write_bytes(band, grid, bytes) &&

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <vector>
 
+#include "base/colour.hpp"
 #include "terrain/polyline.hpp"
 #include "terrain/raster.hpp"
 
@@ -15,7 +14,7 @@ namespace sabo {
 struct RasterClass {
   int number = 1;  ///< 1 to 255
   std::string label = {};
-  std::array<std::uint8_t, 3> colour{};
+  Colour colour{};
 };
 
 /// Writes whole numbers from 1 to 255 as a GeoTIFF of bytes with a colour table; NaN becomes 0, the

@@ -1,6 +1,5 @@
 #include "io/gis/write_ascii_grid.hpp"
 
-#include <array>
 #include <cmath>
 #include <system_error>
 #include <vector>
@@ -11,8 +10,8 @@
 #include <gdal_priv.h>
 
 #include "base/error.hpp"
-#include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
+#include "io/gis/georeference.hpp"
 #include "io/gis/partial_file.hpp"
 
 namespace sabo {
@@ -26,10 +25,7 @@ GDALDatasetUniquePtr in_memory(const Raster& raster, const std::string& crs_wkt)
   GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("MEM");
   GDALDatasetUniquePtr data(driver->Create("", grid.columns, grid.rows, 1, GDT_Float32, nullptr));
   if (!data) return data;
-  std::array<double, 6> geotransform{grid.west, grid.dx, 0, grid.north, 0, -grid.dy};
-  data->SetGeoTransform(geotransform.data());
-  const OGRSpatialReference crs = crs_of(crs_wkt);
-  if (!crs.IsEmpty()) data->SetSpatialRef(&crs);
+  georeference(*data, grid, crs_wkt);
   GDALRasterBand& band = *data->GetRasterBand(1);
   band.SetNoDataValue(no_data);
   std::vector<float> values(raster.values.size());

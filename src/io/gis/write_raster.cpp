@@ -1,6 +1,5 @@
 #include "io/gis/write_raster.hpp"
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <vector>
@@ -11,8 +10,8 @@
 #include <gdal_priv.h>
 
 #include "base/error.hpp"
-#include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
+#include "io/gis/georeference.hpp"
 #include "io/gis/partial_file.hpp"
 
 namespace sabo {
@@ -21,10 +20,7 @@ namespace {
 constexpr float no_data = -9999;
 
 void describe(GDALDataset& data, const Grid& grid, const RasterInfo& info) {
-  std::array<double, 6> geotransform{grid.west, grid.dx, 0, grid.north, 0, -grid.dy};
-  data.SetGeoTransform(geotransform.data());
-  const OGRSpatialReference crs = crs_of(info.crs_wkt);
-  if (!crs.IsEmpty()) data.SetSpatialRef(&crs);
+  georeference(data, grid, info.crs_wkt);
   for (const auto& [key, value] : info.metadata) data.SetMetadataItem(key.c_str(), value.c_str());
   GDALRasterBand& band = *data.GetRasterBand(1);
   band.SetNoDataValue(no_data);

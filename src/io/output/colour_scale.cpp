@@ -1,9 +1,7 @@
 #include "io/output/colour_scale.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -76,17 +74,6 @@ std::vector<ColourStep> difference_steps(double top) {
     steps.push_back(std::move(step));
   }
   return steps;
-}
-
-std::optional<Colour> colour_of(std::string_view text) {
-  Colour colour{};
-  if (text.size() != 7 || text[0] != '#') return std::nullopt;
-  for (std::size_t c = 0; c < colour.size(); ++c) {
-    const char* first = text.data() + 1 + 2 * c;
-    const auto [stop, error] = std::from_chars(first, first + 2, colour[c], 16);
-    if (error != std::errc() || stop != first + 2) return std::nullopt;
-  }
-  return colour;
 }
 
 std::string hex(const Colour& colour) {

@@ -1,16 +1,12 @@
 #pragma once
 
-#include <array>
-#include <cstdint>
-#include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
-namespace sabo {
+#include "base/colour.hpp"
 
-using Colour = std::array<std::uint8_t, 3>;
+namespace sabo {
 
 /// Viridis from its light end (0: yellow) to its dark end (1: violet): even to the eye, in the same
 /// order in grey and with any colour vision, visible on a grey hillshade. Clamped to [0, 1]; NaN
@@ -43,8 +39,5 @@ Colour step_colour(std::span<const ColourStep> steps, double value);
 
 /// "#rrggbb"
 std::string hex(const Colour& colour);
-
-/// The colour of such a text; nothing for another one.
-std::optional<Colour> colour_of(std::string_view text);
 
 }  // namespace sabo

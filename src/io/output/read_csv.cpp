@@ -1,11 +1,11 @@
 #include "io/output/read_csv.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <system_error>
 
 #include "base/error.hpp"
+#include "base/parsed_number.hpp"
 #include "io/output/read_file.hpp"
 
 namespace sabo {
@@ -14,11 +14,8 @@ namespace {
 constexpr std::size_t max_bytes = 1'000'000'000;
 
 std::optional<double> number_of(const std::string& field) {
-  double value = 0;
-  const char* end = field.data() + field.size();
-  const auto [stop, error] = std::from_chars(field.data(), end, value);
-  if (error != std::errc() || stop != end || !std::isfinite(value)) return std::nullopt;
-  return value;
+  const auto value = parsed_number<double>(field);
+  return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 }  // namespace

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <bit>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
@@ -12,6 +11,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/parsed_number.hpp"
 #include "io/output/read_appended.hpp"
 #include "io/output/read_file.hpp"
 #include "io/output/xml_elements.hpp"
@@ -31,11 +31,9 @@ constexpr const char* byte_order =
 
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size()) return {};
+  const auto value = parsed_number<Number>(text);
   if constexpr (std::is_floating_point_v<Number>) {
-    if (!std::isfinite(value)) return {};
+    if (value && !std::isfinite(*value)) return {};
   }
   return value;
 }

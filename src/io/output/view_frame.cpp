@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::size_t fields = std::tuple_size_v<decltype(ViewFrame::values)>;
 
-/// Appends the bytes of a number, the lowest first, whatever this machine's order.
-void append_bytes(std::vector<std::byte>& bytes, std::uint32_t number, int count) {
-  for (int k = 0; k < count; ++k) bytes.push_back(static_cast<std::byte>(number >> (8 * k)));
-}
-
 struct Span {
   float low = 0;
   float high = 0;
@@ -39,6 +34,10 @@ std::uint16_t quantised(double value, double low, double high, int steps) {
   if (!(high > low)) return 0;
   const double share = std::clamp((value - low) / (high - low), 0.0, 1.0);
   return static_cast<std::uint16_t>(std::lround(share * steps));
+}
+
+void append_bytes(std::vector<std::byte>& bytes, std::uint32_t number, int count) {
+  for (int k = 0; k < count; ++k) bytes.push_back(static_cast<std::byte>(number >> (8 * k)));
 }
 
 std::string packed(const std::vector<std::uint16_t>& numbers) {

@@ -34,6 +34,9 @@ std::string view_frame_file(std::size_t number);
 /// A value between `low` and `high` as 0 to `steps`.
 std::uint16_t quantised(double value, double low, double high, int steps = 65535);
 
+/// Appends the `count` lower bytes of a number, the lowest first, whatever this machine's order.
+void append_bytes(std::vector<std::byte>& bytes, std::uint32_t number, int count);
+
 /// Whole numbers as bytes, the lowest byte first, in base64.
 std::string packed(const std::vector<std::uint16_t>& numbers);
 

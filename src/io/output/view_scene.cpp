@@ -51,10 +51,8 @@ std::string solid_text(const ViewSolid& solid) {
   for (std::size_t t = 0; t < solid.mesh.triangles.size(); ++t) {
     for (int corner = 0; corner < 3; ++corner) {
       const Vec3d& p = solid.mesh.corner(t, corner);
-      for (const double value : {p.x, p.y, p.z}) {
-        const auto number = std::bit_cast<std::uint32_t>(static_cast<float>(value));
-        for (int k = 0; k < 4; ++k) bytes.push_back(static_cast<std::byte>(number >> (8 * k)));
-      }
+      for (const double value : {p.x, p.y, p.z})
+        append_bytes(bytes, std::bit_cast<std::uint32_t>(static_cast<float>(value)), 4);
     }
   }
   return fmt::format("{{\"name\":{},\"triangles\":{},\"corners\":\"{}\"}}\n",

@@ -69,12 +69,6 @@ Case case_of(const Variant& variant, const VerifySettings& settings, double spac
   return c;
 }
 
-double value_of(const BatchRecord& record, std::string_view name) {
-  for (const auto& [quantity, value] : record.quantities)
-    if (quantity == name) return value;
-  return std::nan("");
-}
-
 BatchRecord run(const Case& c, const fs::path& folder,
                 const std::function<void(double share)>& on_progress) {
   if (const auto record = finished_record(folder, c)) return *record;
@@ -124,9 +118,9 @@ Verdict verify_yohutagawa(const VerifySettings& settings) {
         run(c, folder, [&](double part) { settings.on_progress((done + part) * share); });
     settings.on_progress((done + 1) * share);
     const double released = 8863;
-    const double found = value_of(record, "trapped by dam [m3]") +
-                         value_of(record, "beyond dam [m3]") +
-                         value_of(record, "left the map [m3]");
+    double found = 0;  // NaN, which no gate lets pass, when one of them is missing
+    for (const char* part : {"trapped by dam [m3]", "beyond dam [m3]", "left the map [m3]"})
+      found += record.quantity(part).value_or(std::nan(""));
     verdict.claims.push_back(Claim::within_share(name + ": trapped, beyond the dam and off the map",
                                                  "m3", found, released, 1e-6));
     if (settings.is_quick()) continue;
@@ -134,11 +128,11 @@ Verdict verify_yohutagawa(const VerifySettings& settings) {
         Claim::at_most(name + ": energy that is not accounted for, over that released", "",
                        std::abs(record.energy_imbalance), 0.005));
     for (const Published& number : published)
-      if (const double value = value_of(record, number.quantity); std::isfinite(value)) {
+      if (const auto value = record.quantity(number.quantity)) {
         const std::string_view quantity = number.quantity;
         verdict.claims.push_back(
             Claim::told(fmt::format("{}: {}", name, quantity.substr(0, quantity.find(" ["))),
-                        number.unit, value, number.value));
+                        number.unit, *value, number.value));
       }
   }
   verdict.remarks.push_back(fmt::format(
