@@ -24,6 +24,7 @@ const std::vector<ChartedSeries>& charted() {
       {"sections", {"area", "greatest depth", "mean speed"}},
       {"gauges", {"depth", "speed", "pressure"}},
       {"volumes", {"outflow", "trapped", "beyond"}},
+      {"filling", {"stored"}},
       {"loads", {"force x", "force y", "force z"}}};
   return list;
 }

@@ -1,12 +1,11 @@
 #include "report/report_parts.hpp"
 
-#include <charconv>
 #include <cmath>
-#include <system_error>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "base/parsed_number.hpp"
 #include "run/amount_text.hpp"
 #include "run/load_case.hpp"
 
@@ -57,10 +56,7 @@ std::string shown_unit(std::string text) {
 }
 
 double number_of_field(const std::string& field) {
-  double value = 0;
-  const char* end = field.data() + field.size();
-  const auto [stop, error] = std::from_chars(field.data(), end, value);
-  return error == std::errc() && stop == end ? value : std::nan("");
+  return parsed_number<double>(field).value_or(std::nan(""));
 }
 
 std::optional<Peak> peak_of(const NumberTable& table, const std::string& column) {

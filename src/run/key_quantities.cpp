@@ -59,6 +59,7 @@ std::vector<KeyQuantity> key_quantities(const RunMaps& maps, const std::vector<S
     if (k >= scene.check_dams().size()) continue;
     list.push_back({"trapped by " + dam.name, "m3", last.volumes[k].trapped});
     list.push_back({"beyond " + dam.name, "m3", last.volumes[k].beyond});
+    list.push_back({"stored in the basin of " + dam.name, "m3", last.basins[k].stored});
   }
   for (std::size_t k = 0; k < scene.sections.size(); ++k) {
     const std::string name = name_of_section(scene.sections[k].name, scene);

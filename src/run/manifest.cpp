@@ -27,12 +27,18 @@ const char* verb_of(RunEnd end) {
   return end == RunEnd::interrupted ? "was interrupted" : "ended";
 }
 
-std::string volumes(const Scene& scene, const VolumeRow& row, std::size_t dam) {
+std::string volumes(const RunFacts& facts, const Scene& scene, const SeriesRow& last,
+                    std::size_t dam) {
+  const VolumeRow& row = last.volumes[dam];
   std::string text = fmt::format("released = {:.9g}\noutflow = {:.9g}\nput_back = {}\n",
                                  row.released, row.outflow, row.put_back);
   if (dam < scene.check_dams().size())
     text += fmt::format("dam = {}\ntrapped = {:.9g}\nbeyond = {:.9g}\n",
                         toml_string(scene.dams[dam].name), row.trapped, row.beyond);
+  if (dam < facts.basins.size())
+    text += fmt::format("stored = {:.9g}\ncapacity = {:.9g}\npool_level = {:.9g}\n",
+                        last.basins[dam].stored, facts.basins[dam].capacity(),
+                        facts.basins[dam].level());
   return text;
 }
 
@@ -95,7 +101,7 @@ std::string resolution_warning(const ResolutionGuard& guard) {
 std::vector<PageTable> result_tables(const RunFacts& facts, const Case& c, const Scene& scene,
                                      const std::vector<SeriesRow>& rows) {
   if (rows.empty()) return {};
-  std::vector<PageTable> tables = volume_tables(c, scene, rows.back());
+  std::vector<PageTable> tables = volume_tables(c, scene, rows.back(), facts.basins);
   if (!c.zones.empty()) tables.push_back(zone_table(c, rows.back()));
   if (!facts.loads.empty()) tables.push_back(load_table(facts.loads, c.loads));
   return tables;
@@ -129,7 +135,7 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
   text += scene_toml(c, scene);
   if (!rows.empty())
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
-      text += "\n[[volumes]]\n" + volumes(scene, rows.back().volumes[k], k);
+      text += "\n[[volumes]]\n" + volumes(facts, scene, rows.back(), k);
   if (!rows.empty())
     for (std::size_t k = 0; k < c.zones.size(); ++k)
       text += zone_text(c.zones[k], rows.back().zones[k]);
@@ -265,6 +271,8 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
       {"frames/ground.vtp", "the ground for ParaView"}};
   if (!scene.dams.empty() || !scene.bodies.empty())
     page.files.push_back({"frames/bodies.vtp", "structures and bodies for ParaView"});
+  if (!facts.basins.empty())
+    page.files.push_back({"series/filling.csv", "how full the basins behind the dams are"});
   if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
   if (!c.sections.empty()) {
     page.files.push_back({"series/sections.csv", "area, depth and speeds at the sections"});

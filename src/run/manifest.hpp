@@ -30,6 +30,7 @@ struct RunFacts {
   double top_mach = 0;                 ///< greatest speed over the sound speed of its time
   ResolutionGuard resolution;
   MotionState motion;              ///< at the end
+  std::vector<Basin> basins;       ///< one entry per check dam
   std::vector<LoadSummary> loads;  ///< one entry per structure, then per body
   std::vector<KeyQuantity> quantities;
 };

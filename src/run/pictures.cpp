@@ -160,6 +160,15 @@ void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& 
       series_of(rows, "left the map", [](const SeriesRow& row) { return row.volumes[0].outflow; }));
   chart("volumes.svg", "Where the volume is", "volume [m3]", volumes,
         "Volume ledger (series/volumes.csv)");
+
+  std::vector<ChartSeries> filling;
+  for (std::size_t k = 0; k < scene.check_dams().size(); ++k)
+    filling.push_back(series_of(rows, scene.dams[k].name,
+                                [k](const SeriesRow& row) { return 100 * row.basins[k].filled; }));
+  if (!filling.empty())
+    chart("filling.svg", "Filling of the basins", "share of the capacity [%]", filling,
+          "Volume below a level pool that would just not flow over, share of its capacity "
+          "(series/filling.csv)");
 }
 
 }  // namespace

@@ -8,6 +8,8 @@
 
 #include <fmt/format.h>
 
+#include "run/amount_text.hpp"
+#include "run/dam_fillings.hpp"
 #include "run/dam_openings.hpp"
 #include "run/scene_structures.hpp"
 #include "terrain/body_points.hpp"
@@ -91,6 +93,21 @@ void warn_of_openings(Preview& preview, const StructureCase& c, double spacing) 
   }
 }
 
+/// What a check dam can hold.
+void tell_basin(Preview& preview, const CheckDam& dam, const Scene& scene) {
+  const Basin basin = basin_behind(dam, scene);
+  if (basin.capacity() <= 0) return;
+  preview.line(
+      "Structures",
+      fmt::format("  holds {} m3 below a level pool at {:.2f} m, {:.2f} m above its foot",
+                  amount_text(basin.capacity()), basin.level(), basin.level() - basin.foot()));
+  if (basin.is_flanked())
+    preview.warn(
+        fmt::format("a pool behind \"{}\" leaves at {:.2f} m by the ground beside it, "
+                    "below its top: lengthen its line, or expect the flow to pass there",
+                    dam.name, basin.level()));
+}
+
 void tell_dam(Preview& preview, const StructureCase& c, const CheckDam& dam, const Scene& scene,
               const FlowModel& model) {
   const DamProfile profile = profile_of(dam, *scene.surface);
@@ -103,6 +120,7 @@ void tell_dam(Preview& preview, const StructureCase& c, const CheckDam& dam, con
       fmt::format("{}: {:.1f} m long, {:g} m thick, crest at {} m, up to {:.2f} m above "
                   "the ground",
                   dam.name, length(dam.axis), dam.thickness, crest, profile.greatest_height));
+  if (c.kind == StructureKind::check_dam) tell_basin(preview, dam, scene);
   tell_openings(preview, c);
   warn_of_openings(preview, c, model.spacing);
   // The nearest particles stand half a spacing from either face.

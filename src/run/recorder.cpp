@@ -56,6 +56,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       ledgers_(make_ledgers(c, scene)),
       section_states_(scene, model, folder),
       gauges_(scene, model, folder),
+      fillings_(scene, folder),
       loads_(c.loads, scene, model, folder),
       front_(scene.path),
       rest_(rest_limits(c.run), c.numerics.spacing, c.material.density),
@@ -151,6 +152,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   write_zones(row);
   section_states_.write_row(row.time, backend.fluid());
   gauges_.write_row(row.time, backend.fluid(), columns_);
+  row.basins = fillings_.write_row(row.time, columns_);
   row.loads = loads_.write_row(row.time, stepper, backend, columns_);
   volumes_csv_.append(volumes);
   energy_csv_.append({row.time, row.energy.mass, row.energy.kinetic, row.energy.potential,

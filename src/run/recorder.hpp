@@ -12,6 +12,7 @@
 #include "analysis/volume_ledger.hpp"
 #include "analysis/zone.hpp"
 #include "io/output/csv.hpp"
+#include "run/dam_fillings.hpp"
 #include "run/gauges.hpp"
 #include "run/run_folder.hpp"
 #include "run/scene.hpp"
@@ -29,6 +30,7 @@ struct SeriesRow {
   std::vector<double> discharge;   ///< net, mean since the row before, m3/s
   std::vector<VolumeRow> volumes;  ///< one entry per check dam, or one alone without
   std::vector<ZoneDepth> zones;    ///< one entry per zone
+  std::vector<BasinState> basins;  ///< one entry per check dam
   std::vector<LoadRow> loads;      ///< one entry per structure, then per body
   Energy energy;
   Energy left;            ///< of what has left the map, at the time it did
@@ -58,6 +60,7 @@ class Recorder {
   const std::vector<SeriesRow>& rows() const { return rows_; }
   const FlowMaps& maps() const { return maps_; }
   const MotionState& motion() const { return rest_.state(); }
+  const std::vector<Basin>& basins() const { return fillings_.basins(); }
   std::vector<LoadSummary> loads() const { return loads_.summaries(); }
 
  private:
@@ -72,6 +75,7 @@ class Recorder {
   std::vector<VolumeLedger> ledgers_;
   SectionStates section_states_;
   Gauges gauges_;
+  DamFillings fillings_;
   StructureLoads loads_;
   Front front_;
   RestWatch rest_;

@@ -173,6 +173,7 @@ class Simulation {
     facts_.passes = pass_shares(flow_.backend().pass_times(), facts_.solver.wall);
     facts_.motion = recorder_.motion();
     facts_.loads = recorder_.loads();
+    facts_.basins = recorder_.basins();
     facts_.boundary_particles = flow_.backend().boundary().size();
     facts_.resolution = resolution_guard(maps.peak_depth, flow_.model().spacing);
     for (const double mass : flow_.backend().fluid().mass)

@@ -13,7 +13,8 @@ namespace {
 
 std::string volume(const std::optional<double>& value) { return value ? amount_text(*value) : "-"; }
 
-PageTable volumes_at(const Case& c, const Scene& scene, const SeriesRow& row, std::size_t dam) {
+PageTable volumes_at(const Case& c, const Scene& scene, const SeriesRow& row,
+                     const std::vector<Basin>& basins, std::size_t dam) {
   const VolumeRow& volumes = row.volumes[dam];
   const bool has_dam = dam < scene.check_dams().size();
   PageTable table;
@@ -26,6 +27,10 @@ PageTable volumes_at(const Case& c, const Scene& scene, const SeriesRow& row, st
     table.rows.push_back({"beyond the dam", volume(volumes.beyond)});
   }
   table.rows.push_back({"left the map", volume(volumes.outflow)});
+  if (has_dam)
+    table.rows.push_back(
+        {fmt::format("in the basin, which holds {}", amount_text(basins[dam].capacity())),
+         volume(row.basins[dam].stored)});
   for (const ReferenceCase& reference : c.references) {
     table.header.push_back(reference.name);
     table.rows[0].push_back(volume(reference.released));
@@ -33,17 +38,18 @@ PageTable volumes_at(const Case& c, const Scene& scene, const SeriesRow& row, st
       table.rows[1].push_back(volume(reference.trapped));
       table.rows[2].push_back(volume(reference.beyond));
     }
-    table.rows.back().push_back("-");
+    for (std::size_t k = has_dam ? 3 : 1; k < table.rows.size(); ++k) table.rows[k].push_back("-");
   }
   return table;
 }
 
 }  // namespace
 
-std::vector<PageTable> volume_tables(const Case& c, const Scene& scene, const SeriesRow& row) {
+std::vector<PageTable> volume_tables(const Case& c, const Scene& scene, const SeriesRow& row,
+                                     const std::vector<Basin>& basins) {
   std::vector<PageTable> tables;
   for (std::size_t dam = 0; dam < row.volumes.size(); ++dam)
-    tables.push_back(volumes_at(c, scene, row, dam));
+    tables.push_back(volumes_at(c, scene, row, basins, dam));
   return tables;
 }
 

@@ -10,7 +10,8 @@ namespace sabo {
 
 /// Volumes at each dam beside those known from elsewhere (the case's references); one table per
 /// dam, one alone without a dam.
-std::vector<PageTable> volume_tables(const Case& c, const Scene& scene, const SeriesRow& row);
+std::vector<PageTable> volume_tables(const Case& c, const Scene& scene, const SeriesRow& row,
+                                     const std::vector<Basin>& basins);
 
 /// Depth in each zone beside what was observed; of a case with zones.
 PageTable zone_table(const Case& c, const SeriesRow& row);

@@ -27,6 +27,7 @@ class KeyQuantities : public testing::Test {
     row.front = {10, 0, 0};
     row.discharge = {0};
     row.volumes = {{12, 12, 0, 0, 0}};
+    row.basins = {{}};
     rows_.push_back(row);
     row.front = {16, 6, 3};
     row.discharge = {-5};
@@ -34,6 +35,7 @@ class KeyQuantities : public testing::Test {
     row.front = {15, 5, -0.5};
     row.discharge = {2};
     row.volumes = {{12, 8, 3, 1, 0}};
+    row.basins = {{7, 0.5, 2}};
     rows_.push_back(row);
   }
 
@@ -58,6 +60,7 @@ TEST_F(KeyQuantities, SumUpARun) {
   // Half the thickness and a cell before the axis at 6 m: from 3.5 m on, the cell of 3 m.
   EXPECT_EQ(values.at("arrival at wall [s]"), 4);
   EXPECT_EQ(values.at("trapped by wall [m3]"), 8);
+  EXPECT_EQ(values.at("stored in the basin of wall [m3]"), 7);
   EXPECT_EQ(values.at("beyond wall [m3]"), 3);
   EXPECT_EQ(values.at("arrival at section wall [s]"), 4);
   EXPECT_EQ(values.at("peak discharge at section wall [m3/s]"), 5) << "in either direction";

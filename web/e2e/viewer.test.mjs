@@ -11,7 +11,11 @@ before(() => { runs = makeRuns(); });
 after(() => runs.remove());
 
 const ready = (page) => page.waitForSelector('html[data-state="ready"]', { timeout: 60000 });
-const clock = (page) => page.locator('.clock').textContent();
+/** What the clock says once the state that was asked for is there. */
+const clock = async (page) => {
+  await page.waitForFunction(() => / s of /.test(document.querySelector('.clock').textContent));
+  return page.locator('.clock').textContent();
+};
 const toTime = (page, time) => page.locator('input.time').fill(String(time));
 
 /** Where the middle of the flow is on the picture, px. */

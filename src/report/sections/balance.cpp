@@ -43,9 +43,23 @@ void add_volume_table(Report& report, const TomlTable& row) {
   }
   table.rows.push_back({say("balance.outflow"), amount(outflow)});
   table.rows.push_back({say("balance.difference"), fixed(released - account, 2)});
+  if (const auto stored = number_at(row, "stored"))
+    table.rows.push_back({say("balance.stored", amount_or_dash(number_at(row, "capacity")),
+                              fixed(number_at(row, "pool_level").value_or(0), 2)),
+                          amount(*stored)});
   add_references(report, table, dam.has_value());
   table.source = data_line(report, {"manifest.toml [[volumes]]", "series/volumes.csv"});
   page.table(table);
+}
+
+void add_filling(Report& report) {
+  const auto& [run, other, say, page, sharpness] = report;
+  const NumberTable* table = run.has("series/filling.csv") ? run.series("filling.csv") : nullptr;
+  if (!table) return;
+  LineChart chart{say("balance.filling"), say("axis.time"), say("axis.filled")};
+  for (const std::string& dam : names_before(*table, " filled [1]"))
+    chart.series.push_back(over_time(*table, dam + " filled [1]", dam, 100));
+  if (!chart.series.empty()) page.chart(chart, data_line(report, {"series/filling.csv"}));
 }
 
 }  // namespace
@@ -65,6 +79,7 @@ void add_balance(Report& report) {
   }
   chart.series.push_back(over_time(*table, "outflow [m3]", say("balance.outflow")));
   page.chart(chart, data_line(report, {"series/volumes.csv"}));
+  add_filling(report);
 }
 
 void add_zones(Report& report) {

@@ -1,0 +1,38 @@
+#include "run/dam_fillings.hpp"
+
+namespace sabo {
+namespace {
+
+std::vector<std::string> header(const Scene& scene) {
+  std::vector<std::string> names{"time [s]"};
+  for (const CheckDam& dam : scene.check_dams())
+    for (const char* column : {"stored [m3]", "filled [1]", "surface [m]"})
+      names.push_back(dam.name + " " + column);
+  return names;
+}
+
+}  // namespace
+
+Basin basin_behind(const CheckDam& dam, const Scene& scene) {
+  const Vec3d& from = scene.release_centre;
+  const int side = project(dam.axis, from.x, from.y).offset < 0 ? -1 : 1;
+  return {scene.surface->elevation(), dam, side};
+}
+
+DamFillings::DamFillings(const Scene& scene, const RunFolder& folder)
+    : csv_(folder.series() / "filling.csv", header(scene)) {
+  for (const CheckDam& dam : scene.check_dams()) basins_.push_back(basin_behind(dam, scene));
+}
+
+std::vector<BasinState> DamFillings::write_row(double time, const Columns& columns) {
+  std::vector<BasinState> states;
+  std::vector<double> row{time};
+  for (const Basin& basin : basins_) {
+    states.push_back(basin.measure(columns));
+    row.insert(row.end(), {states.back().stored, states.back().filled, states.back().surface});
+  }
+  csv_.append(row);
+  return states;
+}
+
+}  // namespace sabo
