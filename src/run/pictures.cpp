@@ -163,8 +163,10 @@ void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& 
 
   std::vector<ChartSeries> filling;
   for (std::size_t k = 0; k < scene.check_dams().size(); ++k)
-    filling.push_back(series_of(rows, scene.dams[k].name,
-                                [k](const SeriesRow& row) { return 100 * row.basins[k].filled; }));
+    if (!rows.empty() && rows.back().basins[k].filled > 0)
+      filling.push_back(series_of(rows, scene.dams[k].name, [k](const SeriesRow& row) {
+        return 100 * row.basins[k].filled;
+      }));
   if (!filling.empty())
     chart("filling.svg", "Filling of the basins", "share of the capacity [%]", filling,
           "Volume below a level pool that would just not flow over, share of its capacity "

@@ -24,6 +24,7 @@ constexpr std::array known_quantities{KnownQuantity{"front run-out", "number.run
                                       KnownQuantity{"arrival at ", "number.arrival"},
                                       KnownQuantity{"trapped by ", "number.trapped"},
                                       KnownQuantity{"beyond ", "number.beyond"},
+                                      KnownQuantity{"stored in the basin of ", "number.stored"},
                                       KnownQuantity{"peak discharge at ", "number.discharge"},
                                       KnownQuantity{"left the map", "number.left"},
                                       KnownQuantity{"deposit area", "number.deposit_area"},

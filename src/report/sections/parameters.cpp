@@ -109,7 +109,7 @@ void add_structures(Report& report) {
     const bool is_solid = listed.name.starts_with("structure") || listed.name.starts_with("body");
     if (!is_solid || !listed.is_given) continue;
     for (const ListedKey& key : listed.keys)
-      if (!key.value.empty())
+      if (!plain(key.value).empty())
         keys.rows.push_back(
             {listed.name + "." + key.name, key.help, plain(key.value), shown_unit(key.unit)});
   }
