@@ -74,7 +74,7 @@ void compare_series(Report& report, const std::string& file, const std::string& 
 
 void compare_with_run(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
-  page.text(say("compare.runs", title_of(*other), other->folder().string()));
+  page.text(say("compare.runs", title_of(*other), other->folder().filename().string()));
   compare_quantities(report);
   if (const NumberTable* table = run.series("discharge.csv"))
     for (const std::string& section : names_before(*table, " net discharge [m3/s]"))

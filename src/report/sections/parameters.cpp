@@ -110,8 +110,8 @@ void add_structures(Report& report) {
     if (!is_solid || !listed.is_given) continue;
     for (const ListedKey& key : listed.keys)
       if (!plain(key.value).empty())
-        keys.rows.push_back(
-            {listed.name + "." + key.name, key.help, plain(key.value), shown_unit(key.unit)});
+        keys.rows.push_back({listed.name + "." + key.name, key.help, shown_file(plain(key.value)),
+                             shown_unit(key.unit)});
   }
   keys.is_of_words = true;
   keys.source = data_line(report, {"case.toml"});
