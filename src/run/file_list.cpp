@@ -24,6 +24,7 @@ std::vector<PageFile> files_of_run(const Case& c, const Scene& scene) {
                 {"series/energy.csv", "mass and energies"},
                 {"series/rest.csv", "moving volume, kinetic energy over its peak, creep"},
                 {"series/solver.csv", "time step, speeds, density range, particle counts"},
+                {"frames/paraview.pvsm", "all of it for ParaView: File, Load State"},
                 {"frames/flow.pvd", "particles as a time series for ParaView"},
                 {"frames/surface.pvd", "surface of the flow as a time series for ParaView"},
                 {"frames/ground.vtp", "the ground for ParaView"}});
