@@ -28,7 +28,9 @@ RunFolder::RunFolder(std::filesystem::path folder, bool overwrite) : root_(std::
   }
   for (const fs::path& part : {root_, maps(), series(), frames(), pictures()}) {
     fs::create_directories(part, error);
-    if (error) throw RunError("cannot make " + part.string() + ": " + error.message());
+    if (error)
+      throw CaseError(part.string(), "cannot be made: " + error.message(),
+                      "choose another folder with -o");
   }
   // From here on the folder is known as that of a run, whatever happens to it.
   set_state("running", "");

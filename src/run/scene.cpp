@@ -40,8 +40,7 @@ void read_sections(const Case& c, Scene& scene, Faults& faults) {
   for (std::size_t k = 0; k < c.sections.size(); ++k) {
     const std::string key = fmt::format("section[{}].line", k + 1);
     collected(faults, [&] {
-      scene.sections.push_back(
-          {c.sections[k].name, read_line(c.sections[k].line, key, scene.frame)});
+      scene.sections.push_back({c.sections[k].name, read_line(c.sections[k].line, key, scene)});
     });
   }
 }
@@ -125,7 +124,7 @@ Scene make_scene(const Case& c, Faults& faults) {
       collected(faults, [&] { read_release(c, scene); });
   collected(faults, [&] {
     if (c.path.line.given()) {
-      scene.path = read_line(c.path.line, "path.line", scene.frame);
+      scene.path = read_line(c.path.line, "path.line", scene);
     } else if (has_release && c.terrain.plane && c.terrain.plane->slope == 0) {
       scene.path = level_path(scene);
     } else if (has_release) {

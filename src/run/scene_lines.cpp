@@ -1,5 +1,7 @@
 #include "run/scene_lines.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -16,9 +18,23 @@ std::vector<Vec3d> points_of(const LineSource& source) {
   return points;
 }
 
+/// Whether some of it lies on the ground; looked at in steps of a cell.
+bool touches(const Surface& surface, const Polyline& line) {
+  constexpr double most_steps = 1e6;
+  const Grid& grid = surface.elevation().grid;
+  const double span = length(line);
+  const double steps = std::clamp(std::ceil(span / std::min(grid.dx, grid.dy)), 1.0, most_steps);
+  for (int k = 0; k <= steps; ++k) {
+    const Vec3d at = point_at(line, span * k / steps);
+    if (surface.inside(at.x, at.y)) return true;
+  }
+  return false;
+}
+
 }  // namespace
 
-Polyline read_line(const LineSource& source, const std::string& key, const Frame& frame) {
+Polyline read_line(const LineSource& source, const std::string& key, const Scene& scene) {
+  const Frame& frame = scene.frame;
   Polyline line{points_of(source), source.has_z};
   if (!source.file.empty()) {
     std::vector<Polyline> lines = read_lines(source.file, frame.crs, key);
@@ -30,6 +46,9 @@ Polyline read_line(const LineSource& source, const std::string& key, const Frame
     line = std::move(lines.front());
   }
   for (Vec3d& vertex : line.vertices) vertex = moved(frame, vertex);
+  if (!touches(*scene.surface, line))
+    throw CaseError(key, "the line lies beside the DEM",
+                    "check its coordinates and their system, or take a larger DEM");
   return line;
 }
 

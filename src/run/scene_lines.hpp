@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "case/line_source.hpp"
+#include "run/scene.hpp"
 #include "terrain/polyline.hpp"
 #include "terrain/raster.hpp"
 
@@ -24,8 +25,9 @@ inline void move(const Frame& frame, Polygon& polygon) {
     for (Vec3d& vertex : ring) vertex = moved(frame, vertex);
 }
 
-/// The one line that a key of the case names, in the solver frame. Throws CaseError at the key.
-Polyline read_line(const LineSource& source, const std::string& key, const Frame& frame);
+/// The one line that a key of the case names, in the solver frame. Throws CaseError at the key,
+/// also when no part of it lies on the ground of the scene.
+Polyline read_line(const LineSource& source, const std::string& key, const Scene& scene);
 
 /// The polygons that a key of the case names, in the solver frame. Throws CaseError at the key.
 std::vector<Polygon> read_area(const LineSource& source, const std::string& key,

@@ -61,11 +61,30 @@ void refuse_narrow_openings(const StructureCase& c, const std::string& key, doub
   }
 }
 
+/// A dam whose crest lies below the ground all along its line would not be there.
+void refuse_buried(const CheckDam& dam, const std::string& key, const Surface& surface) {
+  const Grid& grid = surface.elevation().grid;
+  const double span = length(dam.axis);
+  const double pieces =
+      std::clamp(std::ceil(2 * span / std::min(grid.dx, grid.dy)), 1.0, most_profile_pieces);
+  double highest = -std::numeric_limits<double>::infinity();  // above the ground
+  for (int k = 0; k <= pieces; ++k) {
+    const double station = span * k / pieces;
+    const Vec3d at = point_at(dam.axis, station);
+    highest =
+        std::max(highest, dam.top(station) + dam.notch_depth(station) - surface.height(at.x, at.y));
+  }
+  if (highest <= 0)
+    throw CaseError(key,
+                    fmt::format("the crest of \"{}\" lies below the ground all along", dam.name),
+                    "give crest as an elevation of the DEM, or height above the ground, in m");
+}
+
 CheckDam make_dam(const StructureCase& c, const std::string& key, const Scene& scene,
                   double spacing) {
   CheckDam dam;
   dam.name = c.name;
-  dam.axis = read_line(c.line, key + ".line", scene.frame);
+  dam.axis = read_line(c.line, key + ".line", scene);
   dam.thickness = c.thickness.value_or(0);
   if (c.notch)
     dam.notch = Notch{c.notch->centre, c.notch->width, c.notch->depth, c.notch->side_slope};
@@ -78,6 +97,7 @@ CheckDam make_dam(const StructureCase& c, const std::string& key, const Scene& s
     dam.profile = crest_along(dam, *scene.surface, *c.height);
   else if (c.height)
     dam.crest = level_crest(dam, *scene.surface, *c.height);
+  refuse_buried(dam, key, *scene.surface);
   refuse_narrow_openings(c, key, spacing);
   dam.openings = dam_openings(c, dam, *scene.surface, key);
   return dam;

@@ -234,8 +234,10 @@ Case read_case(const std::filesystem::path& case_file_or_folder, Faults& faults,
   if (std::filesystem::is_directory(path, error)) path /= "case.toml";
   path = path.lexically_normal();
   faults.remember("", case_file_or_folder.string());
-  std::ifstream stream(path, std::ios::binary);
-  if (!std::filesystem::exists(path, error) || !stream) {
+  const bool is_file = std::filesystem::is_regular_file(path, error);
+  std::ifstream stream;
+  if (is_file) stream.open(path, std::ios::binary);  // a pipe would wait for its writer
+  if (!is_file || !stream) {
     faults.add("", "cannot open " + path.string(),
                "give a case file, or a folder with a case.toml");
     return Case{};

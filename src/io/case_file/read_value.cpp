@@ -89,6 +89,13 @@ std::optional<std::filesystem::path> read_file_name(const FoundKey& found,
                      "check the name; it starts at the folder of the case file");
     return std::nullopt;
   }
+  // Pipes and devices have no end, or none that comes by itself.
+  if (!std::filesystem::is_regular_file(path, error) &&
+      !std::filesystem::is_directory(path, error)) {
+    found.faults.add(found.path, path.string() + " is no ordinary file",
+                     "give the name of a file or a folder");
+    return std::nullopt;
+  }
   return path;
 }
 
