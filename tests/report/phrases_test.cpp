@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <fstream>
-#include <regex>
 #include <set>
 #include <sstream>
 
@@ -16,16 +15,14 @@ namespace sabo {
 namespace {
 
 std::set<std::string> places_of(const std::string& text) {
-  static const std::regex place("\\{[^}]*\\}");
   std::set<std::string> places;
-  for (std::sregex_iterator found(text.begin(), text.end(), place), end; found != end; ++found)
-    places.insert(found->str());
+  for (std::size_t from = text.find('{'); from != text.npos; from = text.find('{', from + 1))
+    places.insert(text.substr(from, text.find('}', from) + 1 - from));
   return places;
 }
 
 /// Everything in quotes in the sources of the report.
 std::set<std::string> literals_of_sources() {
-  static const std::regex literal("\"([a-z_.]+)\"");
   std::set<std::string> literals;
   for (const auto& entry :
        std::filesystem::recursive_directory_iterator(repository() / "src" / "report")) {
@@ -33,8 +30,11 @@ std::set<std::string> literals_of_sources() {
     std::ostringstream stream;
     stream << std::ifstream(entry.path()).rdbuf();
     const std::string text = stream.str();
-    for (std::sregex_iterator found(text.begin(), text.end(), literal), end; found != end; ++found)
-      literals.insert((*found)[1].str());
+    std::size_t to = 0;
+    for (std::size_t from = text.find('"'); from != text.npos; from = to) {
+      to = text.find('"', from + 1);
+      literals.insert(text.substr(from + 1, to == text.npos ? to : to - from - 1));
+    }
   }
   return literals;
 }
