@@ -19,6 +19,7 @@ struct RunCommandOptions {
   std::string case_path;
   std::string folder;
   bool overwrite = false;
+  bool resume = false;
   std::vector<Override> overrides;
 };
 
@@ -47,6 +48,15 @@ int report(const RunResult& result) {
   return exit_run_failed;
 }
 
+/// A run that goes on may be named by its folder alone.
+std::filesystem::path folder_of(const RunCommandOptions& options) {
+  std::error_code error;
+  const std::filesystem::path path = options.case_path;
+  if (!options.folder.empty()) return options.folder;
+  if (options.resume && std::filesystem::exists(path / "manifest.toml", error)) return path;
+  return name_of_case(path) + "-run";
+}
+
 int run(const RunCommandOptions& options) {
   const std::atomic<bool>& stop = catch_stop_signals();
   Faults faults;
@@ -54,14 +64,18 @@ int run(const RunCommandOptions& options) {
   faults.throw_if_any();
 
   RunOptions run_options;
-  run_options.folder =
-      options.folder.empty() ? name_of_case(options.case_path) + "-run" : options.folder;
-  run_options.overwrite = options.overwrite;
+  run_options.folder = folder_of(options);
+  if (options.overwrite) run_options.former = FormerRun::replaced;
+  if (options.resume) run_options.former = FormerRun::resumed;
   run_options.stop = &stop;
   ProgressDisplay display(std::ranges::any_of(c.structures, [](const StructureCase& structure) {
     return structure.kind == StructureKind::check_dam;
   }));
   run_options.on_progress = [&](const RunProgress& progress) { display.show(progress); };
+  run_options.on_note = [&](const std::string& line) {
+    display.finish();
+    fmt::print("{}\n", line);
+  };
 
   print_heading(c, run_options.folder);
   const RunResult result = run_case(c, run_options);
@@ -85,13 +99,19 @@ void add_run_command(CLI::App& program, Action& action) {
       ->type_name("DIR");
   command->add_flag("--overwrite", options->overwrite,
                     "replace the results of a former run in that folder");
+  command
+      ->add_flag("--resume", options->resume,
+                 "go on with the run in that folder from its last checkpoint; CASE may be the "
+                 "folder itself")
+      ->excludes("--overwrite");
   add_case_option(*command, "numerics", "spacing", options->overrides);
   add_case_option(*command, "run", "duration", options->overrides);
   add_case_option(*command, "numerics", "method", options->overrides);
   add_case_option(*command, "numerics", "backend", options->overrides);
   add_case_option(*command, "numerics", "threads", options->overrides);
   command->footer(
-      "Examples:\n  sabo run demo\n  sabo run demo -o coarse --spacing 1.5 --duration 60");
+      "Examples:\n  sabo run demo\n  sabo run demo -o coarse --spacing 1.5 --duration 60\n"
+      "  sabo run demo-run --resume");
   command->callback([&action, options] {
     action = {options->case_path, [=] { return run(*options); }};
   });

@@ -22,6 +22,11 @@ class Flow {
   Backend& backend() { return *backend_; }
   Stepper& stepper() { return *stepper_; }
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(*backend_, *stepper_, domain_);
+  }
+
  private:
   FlowModel model_;  ///< at the start
   Ground ground_;

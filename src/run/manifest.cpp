@@ -132,6 +132,8 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       toml_string(build_version), toml_string(build_compiler), toml_string(cpu_name()),
       toml_string(facts.started), facts.solver.wall, facts.solver.simulated, facts.solver.steps,
       facts.particles, facts.boundary_particles, facts.top_speed, facts.sound_speed);
+  if (!facts.resumed.empty())
+    text += fmt::format("resumed_s = [{:.6g}]\n", fmt::join(facts.resumed, ", "));
   text += scene_toml(c, scene);
   if (!rows.empty())
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)

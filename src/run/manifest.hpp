@@ -33,6 +33,7 @@ struct RunFacts {
   std::vector<Basin> basins;       ///< one entry per check dam
   std::vector<LoadSummary> loads;  ///< one entry per structure, then per body
   std::vector<KeyQuantity> quantities;
+  std::vector<double> resumed;  ///< times at which the run was taken up again, s
 };
 
 /// Version of the layout of a run folder.
