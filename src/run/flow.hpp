@@ -10,6 +10,9 @@
 
 namespace sabo {
 
+/// Of the ground under a flow.
+GroundSettings ground_settings(const FlowModel& model);
+
 /// The flow of a case, ready to be stepped. `scene` must outlive it.
 class Flow {
  public:

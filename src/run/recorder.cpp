@@ -86,8 +86,24 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
   for (const NamedZone& zone : scene.zones)
     zones_.emplace_back(scene.surface->elevation(), zone.polygons);
   tracks_.advance(scene.release);
-  maps_.update(0, scene.release);
-  rest_.update(0, scene.release);
+}
+
+void Recorder::start(double time, const Particles& fluid, const Particles& release) {
+  std::vector<char> is_there(release.size(), 0);
+  for (const std::uint32_t id : fluid.id)
+    if (id < is_there.size()) is_there[id] = 1;
+  std::vector<std::uint32_t> gone_rows;
+  for (std::uint32_t i = 0; i < release.size(); ++i)
+    if (!is_there[release.id[i]]) gone_rows.push_back(i);
+  Particles gone;
+  gone.append(release, gone_rows);
+  const std::vector<Vec3d>& before = tracks_.advance(fluid);
+  for (VolumeLedger& ledger : ledgers_) {
+    ledger.record(before, fluid);
+    ledger.leave(gone);
+  }
+  maps_.update(time, fluid);
+  rest_.update(time, fluid);
 }
 
 void Recorder::after_step(const Stepper& stepper, const StepReport& report, Backend& backend) {

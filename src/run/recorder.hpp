@@ -50,6 +50,10 @@ class Recorder {
  public:
   Recorder(const Case& c, const Scene& scene, const FlowModel& model, const RunFolder& folder);
 
+  /// To be called first. A flow that starts on its way counts as if its particles had come straight
+  /// from where they were released, and those that it lacks had left the map.
+  void start(double time, const Particles& fluid, const Particles& release);
+
   /// To be called after every step: counts crossings and samples the maps each time the fastest
   /// particle has moved by a cell or a spacing, whichever is larger.
   void after_step(const Stepper& stepper, const StepReport& report, Backend& backend);

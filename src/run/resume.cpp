@@ -81,7 +81,7 @@ std::vector<FoundCheckpoint> checkpoints_to_resume(
   std::string damaged;
   std::vector<FoundCheckpoint> found =
       find_checkpoints(run_folder / "checkpoint", [&](const std::string& line) {
-        tell(line);
+        tell("warning: " + line);
         damaged = line;
       });
   if (found.empty())

@@ -34,16 +34,26 @@ double seconds_since(Clock::time_point start) {
 /// One run from its first step to its page.
 class Simulation {
  public:
-  Simulation(const Case& c, const Scene& scene, const RunFolder& folder, const RunOptions& options)
+  Simulation(const Case& c, const Scene& scene, const RunFolder& folder, const RunOptions& options,
+             const BranchStart& start)
       : case_(c),
         scene_(scene),
         options_(options),
-        flow_(c, scene),
+        flow_(c, scene, start.fluid),
         folder_(folder),
         recorder_(c, scene, flow_.model(), folder_),
         frames_(scene, folder_),
         checkpoints_(folder.checkpoints()),
-        head_(checkpoint_head(c, scene)) {
+        head_(checkpoint_head(c, scene)),
+        row_due_(start.time),
+        frame_due_(start.time),
+        kept_due_(start.time) {
+    flow_.stepper().start_at(start.time);
+    recorder_.start(start.time, start.fluid, scene.release);
+    if (options.branch) {
+      facts_.branched_from = options.branch->run_folder.string();
+      facts_.branched_at = start.time;
+    }
     facts_.started = utc_now();
     facts_.particles = scene_.release.size();
     facts_.sound_speed = flow_.model().state.c0;
@@ -122,11 +132,12 @@ class Simulation {
   template <class Archive>
   void archive(Archive& a) {
     double wall_so_far = wall();
+    a(flow_);  // first, for branch_start()
     a.mark("run");
-    a(facts_.started, facts_.top_speed, facts_.sound_speed, facts_.top_mach,
-      facts_.solver.iterations, facts_.resumed, wall_so_far, row_due_, frame_due_, kept_due_,
-      report_);
-    a(flow_, recorder_, frames_);
+    a(facts_.started, facts_.branched_from, facts_.branched_at, facts_.top_speed,
+      facts_.sound_speed, facts_.top_mach, facts_.solver.iterations, facts_.resumed, wall_so_far,
+      row_due_, frame_due_, kept_due_, report_);
+    a(recorder_, frames_);
     if constexpr (Archive::is_reader) {
       wall_before_ = wall_so_far;
       start_ = checkpointed_ = Clock::now();
@@ -150,8 +161,7 @@ class Simulation {
     try {
       checkpoints_.write(head_, is_kept, [this](ArchiveWriter& a) { archive(a); });
     } catch (const RunError& error) {
-      if (options_.on_note)
-        options_.on_note(std::string("no checkpoint could be written: ") + error.what());
+      options_.on_note(std::string("warning: no checkpoint: ") + error.what());
     }
     checkpointed_ = Clock::now();
   }
@@ -258,9 +268,9 @@ class Simulation {
   RunFacts facts_;
   CheckpointWriter checkpoints_;
   CheckpointHead head_;
-  StepReport report_;                                  // of the last step
-  double row_due_ = 0, frame_due_ = 0, kept_due_ = 0;  // s
-  double wall_before_ = 0;                             // s
+  StepReport report_;                      // of the last step
+  double row_due_, frame_due_, kept_due_;  // s
+  double wall_before_ = 0;                 // s
   Clock::time_point start_ = Clock::now();
   Clock::time_point told_ = start_;
   Clock::time_point checkpointed_ = start_;
@@ -270,18 +280,17 @@ class Simulation {
 std::unique_ptr<Simulation> resumed(const Case& c, const Scene& scene, const RunFolder& folder,
                                     const RunOptions& options,
                                     const std::vector<FoundCheckpoint>& checkpoints) {
-  const auto tell = [&](const std::string& line) {
-    if (options.on_note) options.on_note(line);
-  };
   for (const FoundCheckpoint& checkpoint : checkpoints) {
     try {
-      auto simulation = std::make_unique<Simulation>(c, scene, folder, options);
+      auto simulation =
+          std::make_unique<Simulation>(c, scene, folder, options, BranchStart{0, scene.release});
       simulation->load(checkpoint);
-      tell(
+      options.on_note(
           fmt::format("Goes on from {:.6g} s, {}", checkpoint.head.time, checkpoint.file.string()));
       return simulation;
     } catch (const RunError& error) {
-      tell(fmt::format("{} cannot be used: {}", checkpoint.file.string(), error.what()));
+      options.on_note(
+          fmt::format("warning: {} cannot be used: {}", checkpoint.file.string(), error.what()));
     }
   }
   throw RunError(
@@ -291,18 +300,22 @@ std::unique_ptr<Simulation> resumed(const Case& c, const Scene& scene, const Run
 
 }  // namespace
 
-RunResult run_case(const Case& c, const RunOptions& options) {
+RunResult run_case(const Case& c, const RunOptions& given) {
+  RunOptions options = given;
+  if (!options.on_note) options.on_note = [](const std::string&) {};
   const bool goes_on = options.former == FormerRun::resumed;
   std::vector<FoundCheckpoint> checkpoints;
   if (goes_on) checkpoints = checkpoints_to_resume(c, options.folder, options.on_note);
   Faults faults;
   const Scene scene = make_scene(c, faults);
   faults.throw_if_any();
+  BranchStart start{0, scene.release};
+  if (options.branch) start = branch_start(c, scene, *options.branch, options.on_note);
   const RunFolder folder(options.folder, options.former);
   try {
     write_scene_record(c, scene, folder);
     if (goes_on) return resumed(c, scene, folder, options, checkpoints)->run();
-    return Simulation(c, scene, folder, options).run();
+    return Simulation(c, scene, folder, options, start).run();
   } catch (const RunError& error) {
     folder.set_state("failed", error.what());
     throw;

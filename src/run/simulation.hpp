@@ -4,11 +4,13 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "analysis/front.hpp"
 #include "analysis/volume_ledger.hpp"
 #include "case/case.hpp"
+#include "run/branch.hpp"
 #include "run/run_folder.hpp"
 #include "run/scene.hpp"
 
@@ -49,6 +51,8 @@ struct RunOptions {
   bool keeps_checkpoint = true;                         ///< the last one, when the run has finished
   /// Called with a line that the user should see: where a run goes on, a damaged checkpoint.
   std::function<void(const std::string&)> on_note = {};
+  /// Where it starts from, if not from the release.
+  std::optional<BranchOrigin> branch = {};
 };
 
 /// Runs a case and writes its run folder. Throws CaseError and, before anything was simulated,

@@ -101,7 +101,7 @@ void expect_same_bits_after_restoring(const std::string& numerics) {
   const std::string last = state_of(whole);
   for (const std::size_t k : {0U, 3U, 10U}) {
     Case other = c;
-    other.numerics.threads = k == 0 ? 2 : 1;
+    other.numerics.threads = k == 10 ? 2 : 1;
     Flow resumed(other, scene);
     restore(resumed, states[k]);
     steps(resumed, 17 * static_cast<int>(states.size() - 1 - k));
