@@ -4,6 +4,7 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
+#include <new>
 #include <utility>
 
 #include <fmt/format.h>
@@ -318,6 +319,9 @@ RunResult run_case(const Case& c, const RunOptions& given) {
     return Simulation(c, scene, folder, options, start).run();
   } catch (const RunError& error) {
     folder.set_state("failed", error.what());
+    throw;
+  } catch (const std::bad_alloc&) {
+    folder.set_state("failed", "not enough memory");
     throw;
   }
 }
