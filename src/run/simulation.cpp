@@ -10,6 +10,8 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/version.hpp"
+#include "io/output/cpu_name.hpp"
 #include "io/output/file.hpp"
 #include "run/checkpoints.hpp"
 #include "run/flow.hpp"
@@ -149,7 +151,7 @@ class Simulation {
     const double interval = case_.run.checkpoint_interval;
     const double kept_interval = case_.run.kept_checkpoint_interval;
     const bool is_kept = kept_interval > 0 && flow_.stepper().time() >= kept_due_;
-    if (is_kept) kept_due_ += kept_interval;
+    while (is_kept && kept_due_ <= flow_.stepper().time()) kept_due_ += kept_interval;
     if (is_kept || (interval > 0 && seconds_since(checkpointed_) >= interval))
       write_checkpoint(is_kept);
   }
@@ -277,6 +279,14 @@ class Simulation {
   Clock::time_point checkpointed_ = start_;
 };
 
+/// "" where the bits will be those of a run that was never stopped.
+std::string origin_note(const CheckpointHead& head) {
+  std::string note;
+  if (head.program != build_version) note += fmt::format(", written by sabo {}", head.program);
+  if (head.machine != cpu_name()) note += fmt::format(", written on {}", head.machine);
+  return note.empty() ? "" : note + ": last digits may differ from those of a run without a stop";
+}
+
 /// The run in a folder from the latest of some checkpoints that fits.
 std::unique_ptr<Simulation> resumed(const Case& c, const Scene& scene, const RunFolder& folder,
                                     const RunOptions& options,
@@ -286,8 +296,8 @@ std::unique_ptr<Simulation> resumed(const Case& c, const Scene& scene, const Run
       auto simulation =
           std::make_unique<Simulation>(c, scene, folder, options, BranchStart{0, scene.release});
       simulation->load(checkpoint);
-      options.on_note(
-          fmt::format("Goes on from {:.6g} s, {}", checkpoint.head.time, checkpoint.file.string()));
+      options.on_note(fmt::format("Goes on from {:.6g} s, {}{}", checkpoint.head.time,
+                                  checkpoint.file.string(), origin_note(checkpoint.head)));
       return simulation;
     } catch (const RunError& error) {
       options.on_note(
