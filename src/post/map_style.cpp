@@ -4,39 +4,22 @@
 
 #include <fmt/format.h>
 
+#include "base/capitalised.hpp"
 #include "run/pictures.hpp"
 
 namespace sabo {
-namespace {
-
-constexpr double least = 0.01;  // of speeds, m/s, and pressures, kPa, as in a run's pictures
-
-std::string capitalised(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 32);
-  return text;
-}
-
-}  // namespace
 
 MapStyle style_of(const RunMap& map, double wet_depth) {
-  const auto labelled = [&](const char* quantity) {
+  const auto labelled = [&](const std::string& quantity) {
     return fmt::format("{} [{}]", quantity, map.unit);
   };
-  if (map.name == "dep") return {"Depth at the end of the run", labelled("depth"), wet_depth, {}};
-  if (map.name == "pfd") return {"Greatest depth", labelled("depth"), wet_depth, {}};
-  if (map.name == "pfv") return {"Greatest speed", labelled("speed"), least, {}};
-  if (map.name == "ppr") return {"Greatest pressure", labelled("pressure"), least, {}};
-  if (map.name == "pmf")
-    return {"Greatest momentum flux", labelled("density x depth x speed²"), least, {}};
-  if (map.name == "det")
-    return {"Thickness at the end, normal to the ground", labelled("thickness"), wet_depth, {}};
-  if (map.name == "pft")
-    return {"Greatest thickness, normal to the ground", labelled("thickness"), wet_depth, {}};
-  if (map.name == "tarr") return {"Arrival", labelled("time"), 0, {}};
-  if (map.name == "res")
-    return {"Resolution", labelled("depth over spacing"), 0, resolution_steps()};
+  if (const MapKind* kind = map_kind(map.name)) {
+    const bool is_in_classes = map.name == "res";
+    return {kind->title, labelled(kind->quantity), kind->threshold(wet_depth),
+            is_in_classes ? resolution_steps() : std::vector<ColourStep>{}};
+  }
   const std::string what = map.description.empty() ? map.name : map.description;
-  return {capitalised(what), labelled(map.name.c_str()), map.unit == "m" ? wet_depth : 0, {}};
+  return {capitalised(what), labelled(map.name), map.unit == "m" ? wet_depth : 0, {}};
 }
 
 double greatest_value(const Raster& raster) {

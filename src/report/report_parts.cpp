@@ -1,6 +1,7 @@
 #include "report/report_parts.hpp"
 
 #include <cmath>
+#include <filesystem>
 #include <utility>
 
 #include <fmt/format.h>
@@ -53,6 +54,11 @@ std::string shown_unit(std::string text) {
     if (is_a_unit) text.replace(at, 2, raised);
   }
   return text;
+}
+
+std::string shown_file(const std::string& path) {
+  const std::filesystem::path file(path);
+  return file.is_absolute() ? file.filename().string() : path;
 }
 
 double number_of_field(const std::string& field) {

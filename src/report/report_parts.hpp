@@ -62,6 +62,10 @@ std::string amount_or_dash(const std::optional<double>& value);
 /// With raised digits: "kg/m³" of "kg/m3", "volume [m³]" of "volume [m3]".
 std::string shown_unit(std::string text);
 
+/// A file of the user as a report names it that is handed on: without the folders of their machine.
+/// Any other text as it is.
+std::string shown_file(const std::string& path);
+
 /// The number in a field of a table; NaN where it is none.
 double number_of_field(const std::string& field);
 

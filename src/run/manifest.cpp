@@ -13,6 +13,7 @@
 #include "io/output/cpu_name.hpp"
 #include "io/output/file.hpp"
 #include "run/amount_text.hpp"
+#include "run/file_list.hpp"
 #include "run/input_files.hpp"
 #include "run/load_text.hpp"
 #include "run/rest_text.hpp"
@@ -253,46 +254,7 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
   page.tables = result_tables(facts, c, scene, rows);
   page.details = {parameter_table(c), pass_table(facts.passes)};
   page.pictures = std::move(pictures);
-  page.files = {
-      {"view/index.html", "the run in 3D, in this browser"},
-      {"case.toml", "the case with every default"},
-      {"manifest.toml", "version, times, volumes, passes of the solver, checksums of the inputs"},
-      {"maps/dep.tif", "depth at the end, m"},
-      {"maps/pfd.tif", "greatest depth, m"},
-      {"maps/pfv.tif", "greatest speed, m/s"},
-      {"maps/ppr.tif", "greatest pressure, kPa"},
-      {"maps/pmf.tif", "greatest momentum flux per width, kN/m"},
-      {"maps/det.tif", "thickness at the end, normal to the ground, m"},
-      {"maps/pft.tif", "greatest thickness, normal to the ground, m"},
-      {"maps/tarr.tif", "arrival time, s"},
-      {"maps/res.tif", "greatest depth over the particle spacing, particles"},
-      {"maps/ground.tif", "elevation of the ground as the run used it, m"},
-      {"maps/rel.tif", "depth of the release, m"},
-      {"maps/plan.geojson", "path, structures, sections and zones"},
-      {"series/front.csv", "position, displacement and velocity of the front"},
-      {"series/discharge.csv", "discharge through the sections"},
-      {"series/volumes.csv", "released, trapped, beyond, outflow"},
-      {"series/energy.csv", "mass and energies"},
-      {"series/rest.csv", "moving volume, kinetic energy over its peak, creep"},
-      {"series/solver.csv", "time step, speeds, density range, particle counts"},
-      {"frames/flow.pvd", "particles as a time series for ParaView"},
-      {"frames/surface.pvd", "surface of the flow as a time series for ParaView"},
-      {"frames/ground.vtp", "the ground for ParaView"}};
-  if (!scene.dams.empty() || !scene.bodies.empty())
-    page.files.push_back({"frames/bodies.vtp", "structures and bodies for ParaView"});
-  if (!facts.basins.empty())
-    page.files.push_back({"series/filling.csv", "how full the basins behind the dams are"});
-  if (!c.zones.empty()) page.files.push_back({"series/zones.csv", "depth and volume in the zones"});
-  if (!c.sections.empty()) {
-    page.files.push_back({"series/sections.csv", "area, depth and speeds at the sections"});
-    page.files.push_back({"series/velocity_profiles.csv", "their speed over the height"});
-  }
-  if (!c.gauges.empty())
-    page.files.push_back({"series/gauges.csv", "depth, speed and pressure at the gauges"});
-  if (!facts.loads.empty()) {
-    page.files.push_back({"series/loads.csv", "forces and moments on structures and bodies"});
-    page.files.push_back({"series/pressure_profiles.csv", "their forces over the height"});
-  }
+  page.files = files_of_run(c, scene);
   return page;
 }
 

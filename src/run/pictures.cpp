@@ -4,9 +4,8 @@
 
 #include <fmt/format.h>
 
-#include "analysis/bed_normal.hpp"
 #include "analysis/resolution.hpp"
-#include "io/gis/write_raster.hpp"
+#include "base/capitalised.hpp"
 #include "io/output/file.hpp"
 #include "io/output/map_picture.hpp"
 #include "io/output/svg_chart.hpp"
@@ -14,18 +13,6 @@
 
 namespace sabo {
 namespace {
-
-/// Rasters and lines live in the solver frame; files are in CRS coordinates.
-Raster in_crs(Raster raster, const Frame& frame) {
-  raster.grid.west += frame.origin_x;
-  raster.grid.north += frame.origin_y;
-  return raster;
-}
-
-Raster in_kilo(Raster raster) {
-  for (double& value : raster.values) value /= 1000;
-  return raster;
-}
 
 ChartSeries series_of(const std::vector<SeriesRow>& rows, std::string name,
                       const std::function<double(const SeriesRow&)>& value) {
@@ -71,26 +58,15 @@ void draw_resolution(const RunMaps& maps, const Case& c, const Scene& scene, Alb
 void draw_maps(const RunMaps& maps, const Case& c, const Scene& scene, Album& album) {
   const Raster& ground = scene.surface->elevation();
   const MapView view = view_around(maps.peak_depth, maps.wet_depth);
-  const auto draw = [&](const char* file, const char* title, const char* quantity,
-                        const Raster& values, double threshold, const char* caption) {
-    MapPicture map{title, c.note, quantity, threshold};
+  for (const MapKind& kind : map_kinds()) {
+    if (!kind.picture) continue;
+    MapPicture map{kind.title, c.note, fmt::format("{} [{}]", kind.quantity, kind.unit),
+                   kind.threshold(maps.wet_depth)};
     map.view = view;
     map.lines = overlay(scene);
-    album.add(file, map_svg(map, ground, values), caption, true);
-  };
-  draw("deposit.svg", "Depth at the end of the run", "depth [m]", maps.deposit, maps.wet_depth,
-       "Depth at the end of the run (maps/dep.tif)");
-  draw("peak_depth.svg", "Greatest depth", "depth [m]", maps.peak_depth, maps.wet_depth,
-       "Greatest depth of the flow (maps/pfd.tif)");
-  draw("peak_speed.svg", "Greatest speed", "speed [m/s]", maps.peak_speed, 0.01,
-       "Greatest speed of the flow (maps/pfv.tif)");
-  draw("peak_pressure.svg", "Greatest pressure", "pressure [kPa]", in_kilo(maps.peak_pressure),
-       0.01, "Greatest pressure in the column of the flow (maps/ppr.tif)");
-  draw("peak_momentum.svg", "Greatest momentum flux", "density x depth x speed² [kN/m]",
-       in_kilo(maps.peak_momentum), 0.01,
-       "Greatest momentum flux per width: what it would push with against a wall (maps/pmf.tif)");
-  draw("arrival.svg", "Arrival", "time [s]", maps.arrival, 0,
-       "Time at which the flow arrived (maps/tarr.tif)");
+    album.add(fmt::format("{}.svg", kind.picture), map_svg(map, ground, kind.values(maps, ground)),
+              fmt::format("{} (maps/{}.tif)", capitalised(kind.description), kind.name), true);
+  }
 }
 
 /// A chart per structure: what it bore beside the design formulas.
@@ -163,8 +139,10 @@ void draw_series(const std::vector<SeriesRow>& rows, const Scene& scene, Album& 
 
   std::vector<ChartSeries> filling;
   for (std::size_t k = 0; k < scene.check_dams().size(); ++k)
-    filling.push_back(series_of(rows, scene.dams[k].name,
-                                [k](const SeriesRow& row) { return 100 * row.basins[k].filled; }));
+    if (!rows.empty() && rows.back().basins[k].filled > 0)
+      filling.push_back(series_of(rows, scene.dams[k].name, [k](const SeriesRow& row) {
+        return 100 * row.basins[k].filled;
+      }));
   if (!filling.empty())
     chart("filling.svg", "Filling of the basins", "share of the capacity [%]", filling,
           "Volume below a level pool that would just not flow over, share of its capacity "
@@ -182,41 +160,6 @@ std::vector<ColourStep> resolution_steps() {
           {good, {254, 224, 182}, fmt::format("{:g} to {:g}", enough, good)},
           {2 * good, {153, 142, 195}, fmt::format("{:g} to {:g}", good, 2 * good)},
           {0, {84, 39, 136}, fmt::format("{:g} or more", 2 * good)}};
-}
-
-void write_maps(const RunMaps& maps, const Case& c, const Scene& scene, const RunFolder& folder) {
-  const auto write = [&](const char* file, const Raster& raster, const std::string& what,
-                         const char* unit) {
-    RasterInfo info{scene.frame.crs, what, unit};
-    if (!c.note.empty()) info.metadata["note"] = c.note;
-    write_raster(folder.maps() / file, in_crs(raster, scene.frame), info);
-  };
-  write("dep.tif", maps.deposit, "vertical depth at the end of the run", "m");
-  write("pfd.tif", maps.peak_depth, "greatest vertical depth", "m");
-  write("pfv.tif", maps.peak_speed, "greatest mass-weighted mean speed of the column", "m/s");
-  write("ppr.tif", in_kilo(maps.peak_pressure),
-        fmt::format("greatest pressure of a particle in the column, where the flow is deeper than "
-                    "{:g} m",
-                    maps.wet_depth),
-        "kPa");
-  write("pmf.tif", in_kilo(maps.peak_momentum),
-        fmt::format("greatest momentum flux per width, density x depth x speed^2 of the column, "
-                    "where the flow is deeper than {:g} m",
-                    maps.wet_depth),
-        "kN/m");
-  const Raster& ground = scene.surface->elevation();
-  write("det.tif", bed_normal_thickness(maps.deposit, ground),
-        "thickness normal to the ground at the end of the run", "m");
-  write("pft.tif", bed_normal_thickness(maps.peak_depth, ground),
-        "greatest thickness normal to the ground", "m");
-  write(
-      "res.tif", maps.layers,
-      fmt::format("greatest vertical depth over the particle spacing of {:g} m, where the flow is "
-                  "deeper than {:g} m",
-                  c.numerics.spacing, maps.wet_depth),
-      "particles");
-  write("tarr.tif", maps.arrival,
-        fmt::format("first time with a depth above {:g} m", maps.wet_depth), "s");
 }
 
 std::vector<PagePicture> draw_pictures(const RunMaps& maps, const std::vector<SeriesRow>& rows,

@@ -27,7 +27,7 @@ PageTable volumes_at(const Case& c, const Scene& scene, const SeriesRow& row,
     table.rows.push_back({"beyond the dam", volume(volumes.beyond)});
   }
   table.rows.push_back({"left the map", volume(volumes.outflow)});
-  if (has_dam)
+  if (has_dam && basins[dam].capacity() > 0)
     table.rows.push_back(
         {fmt::format("in the basin, which holds {}", amount_text(basins[dam].capacity())),
          volume(row.basins[dam].stored)});

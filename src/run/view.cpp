@@ -161,6 +161,7 @@ void write_from_frames(const fs::path& run_folder, const Case& c, const Scene& s
       surfaces.write(frame);
       view.add(frame);
     });
+    surfaces.finish();
     view.finish();
   } catch (const CaseError& error) {  // the frames were written a moment ago
     throw RunError(error.what());

@@ -44,6 +44,7 @@ void expect_all_files(const FinishedRun& run) {
                            "frames/ground.vtp",
                            "frames/flow_00000.vtp",
                            "frames/surface.pvd",
+                           "frames/paraview.pvsm",
                            "frames/surface_00001.vtp",
                            "view/index.html",
                            "view/scene.js",

@@ -17,6 +17,9 @@ namespace {
 constexpr double narrowest = 640;    // px, so that the legend has room
 constexpr double scale_width = 260;  // px, of scale bar and north arrow beside a legend
 constexpr double margin = 20;        // px
+constexpr double title_size = 18;    // px
+constexpr double bold = 1.12;        // width of bold text over that of plain text
+constexpr double title_line = 24;    // px
 constexpr double note_size = 13;     // px
 constexpr double note_line = 20;     // px
 constexpr const char* solid_colour = "#d9c5c0";
@@ -32,8 +35,13 @@ struct Layout {
   double height = 0;
   double page_width = 0;
   double page_height = 0;
-  std::vector<std::string> note;  // in lines
+  std::vector<std::string> title, note;  // in lines
 
+  double title_y(std::size_t line) const { return 30 + title_line * static_cast<double>(line); }
+  double note_y(std::size_t line) const {
+    const std::size_t titles = std::max<std::size_t>(1, title.size());
+    return title_y(titles - 1) + 22 + note_line * static_cast<double>(line);
+  }
   double x(double east) const { return left + (east - view.west) * scale; }
   double y(double north) const { return top + (view.north - north) * scale; }
 };
@@ -62,8 +70,9 @@ Layout layout_of(const MapPicture& map) {
   const double legend = step_bar_width(map.steps) + scale_width;
   layout.page_width = std::max({layout.width, narrowest, legend}) + 2 * margin;
   layout.left = std::round((layout.page_width - layout.width) / 2);
+  layout.title = wrapped(map.title, title_size * bold, layout.page_width - 2 * margin);
   layout.note = wrapped(map.note, note_size, layout.page_width - 2 * margin);
-  layout.top = 48 + note_line * static_cast<double>(layout.note.size());
+  layout.top = layout.note_y(layout.note.size()) - 4;
   layout.page_height = layout.top + layout.height + 76;
   return layout;
 }
@@ -286,10 +295,11 @@ std::string map_svg(const MapPicture& map, const Raster& elevation, const Raster
   const double top = map.top.value_or(most);
   const double contour = contour_step(elevation, map.view);
   std::string svg = svg_begin(layout.page_width, layout.page_height, map.title);
-  svg += svg_text(margin, 30, map.title, {.size = 18, .colour = svg_ink, .bold = true});
+  for (std::size_t k = 0; k < layout.title.size(); ++k)
+    svg += svg_text(margin, layout.title_y(k), layout.title[k],
+                    {.size = title_size, .colour = svg_ink, .bold = true});
   for (std::size_t k = 0; k < layout.note.size(); ++k)
-    svg += svg_text(margin, 52 + note_line * static_cast<double>(k), layout.note[k],
-                    {.size = note_size});
+    svg += svg_text(margin, layout.note_y(k), layout.note[k], {.size = note_size});
   svg += draw_raster({elevation, values, map.threshold, top, contour, map.steps}, layout,
                      map.sharpness);
   if (map.has_coordinates) svg += draw_coordinates(layout);

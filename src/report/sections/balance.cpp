@@ -43,8 +43,9 @@ void add_volume_table(Report& report, const TomlTable& row) {
   }
   table.rows.push_back({say("balance.outflow"), amount(outflow)});
   table.rows.push_back({say("balance.difference"), fixed(released - account, 2)});
-  if (const auto stored = number_at(row, "stored"))
-    table.rows.push_back({say("balance.stored", amount_or_dash(number_at(row, "capacity")),
+  const double capacity = number_at(row, "capacity").value_or(0);
+  if (const auto stored = number_at(row, "stored"); stored && capacity > 0)
+    table.rows.push_back({say("balance.stored", amount(capacity),
                               fixed(number_at(row, "pool_level").value_or(0), 2)),
                           amount(*stored)});
   add_references(report, table, dam.has_value());

@@ -24,6 +24,7 @@ constexpr std::array known_quantities{KnownQuantity{"front run-out", "number.run
                                       KnownQuantity{"arrival at ", "number.arrival"},
                                       KnownQuantity{"trapped by ", "number.trapped"},
                                       KnownQuantity{"beyond ", "number.beyond"},
+                                      KnownQuantity{"stored in the basin of ", "number.stored"},
                                       KnownQuantity{"peak discharge at ", "number.discharge"},
                                       KnownQuantity{"left the map", "number.left"},
                                       KnownQuantity{"deposit area", "number.deposit_area"},
@@ -73,7 +74,7 @@ void compare_series(Report& report, const std::string& file, const std::string& 
 
 void compare_with_run(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
-  page.text(say("compare.runs", title_of(*other), other->folder().string()));
+  page.text(say("compare.runs", title_of(*other), other->folder().filename().string()));
   compare_quantities(report);
   if (const NumberTable* table = run.series("discharge.csv"))
     for (const std::string& section : names_before(*table, " net discharge [m3/s]"))

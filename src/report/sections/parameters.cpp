@@ -109,9 +109,9 @@ void add_structures(Report& report) {
     const bool is_solid = listed.name.starts_with("structure") || listed.name.starts_with("body");
     if (!is_solid || !listed.is_given) continue;
     for (const ListedKey& key : listed.keys)
-      if (!key.value.empty())
-        keys.rows.push_back(
-            {listed.name + "." + key.name, key.help, plain(key.value), shown_unit(key.unit)});
+      if (!plain(key.value).empty())
+        keys.rows.push_back({listed.name + "." + key.name, key.help, shown_file(plain(key.value)),
+                             shown_unit(key.unit)});
   }
   keys.is_of_words = true;
   keys.source = data_line(report, {"case.toml"});

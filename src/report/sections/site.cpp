@@ -47,7 +47,7 @@ std::string checksum_text(const RunRecord& run, const std::string& file) {
 std::string dem_text(const Report& report) {
   const std::string dem = report.run.written("terrain", "dem");
   if (dem.empty()) return report.say("site.plane");
-  return fmt::format("{} (CRC-32 {})", dem, checksum_text(report.run, dem));
+  return fmt::format("{} (CRC-32 {})", shown_file(dem), checksum_text(report.run, dem));
 }
 
 void tell_edits(Report& report) {
@@ -124,7 +124,8 @@ void add_release(Report& report) {
   page.table(table);
   for (const char* key : {"polygon", "thickness_raster", "points", "dem_before", "dem_after"}) {
     const std::string file = run.written("release", key);
-    if (!file.empty()) page.text(say("release.file", key, file, checksum_text(run, file)));
+    if (!file.empty())
+      page.text(say("release.file", key, shown_file(file), checksum_text(run, file)));
   }
 }
 

@@ -163,7 +163,7 @@ void add_inputs(Report& report) {
   inputs.header = {say("input.file"), "CRC-32"};
   for (const TomlEntry& input : run.table("inputs"))
     if (const auto* sum = std::get_if<std::string>(&input.node.value))
-      inputs.rows.push_back({input.key, *sum});
+      inputs.rows.push_back({shown_file(input.key), *sum});
   inputs.source = data_line(report, {"manifest.toml [inputs]"});
   page.table(inputs);
   ReportTable facts;
