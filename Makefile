@@ -1,6 +1,6 @@
 # Short names for the usual commands. CMakePresets.json is underneath.
 .POSIX:
-.PHONY: help build demo test bench web docs validation study asan format tidy
+.PHONY: help build demo test bench web docs validation study soak asan format tidy
 
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
@@ -16,6 +16,7 @@ help:
 	@echo 'make docs     rewrite the keys in docs/ from their descriptions, and the figures of the laws'
 	@echo 'make validation  an hour or two: run all cases with a known outcome, rewrite docs/validation.md'
 	@echo 'make study    hours: run the example in all variants, rewrite the table of docs/yohutagawa.md'
+	@echo 'make soak     an hour (SOAK_MINUTES): kill runs, let them go on, compare their results'
 	@echo 'make asan     the quick tests under the address and undefined-behaviour sanitizers'
 	@echo 'make format   format src/ and tests/'
 	@echo 'make tidy     static analysis of src/ by clang-tidy'
@@ -65,6 +66,10 @@ docs:
 
 study: build
 	python3 tools/yohutagawa_study.py
+
+SOAK_MINUTES = 60
+soak: build
+	sh tests/faults/faults.sh "$$PWD/build/release/src/sabo" 50 $(SOAK_MINUTES)
 
 asan:
 	@sh tools/install_packages.sh

@@ -24,6 +24,14 @@ class FlowMaps {
   Raster arrival_time() const;  ///< time at which the cell was first wet, s; NaN where it never was
   Raster depth() const;         ///< depth at the last update, m
 
+  /// Without the depth of the last update.
+  template <class Archive>
+  void archive(Archive& a) {
+    for (std::vector<double>* map :
+         {&peak_depth_, &peak_speed_, &peak_pressure_, &peak_momentum_flux_, &arrival_time_})
+      a.fixed(*map);
+  }
+
  private:
   Columns columns_;
   std::vector<double> peak_depth_;

@@ -27,6 +27,11 @@ class Front {
   /// over the interval. Without particles the front stays where it was.
   FrontRow update(double time, const Particles& particles);
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(start_, last_time_, last_position_);
+  }
+
  private:
   StationIndex index_;
   std::optional<double> start_;

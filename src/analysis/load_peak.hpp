@@ -2,6 +2,7 @@
 
 #include <deque>
 
+#include "base/error.hpp"
 #include "math/vec3.hpp"
 
 namespace sabo {
@@ -19,6 +20,12 @@ class LoadPeak {
 
   double force() const { return force_; }  ///< N
   double time() const { return time_; }    ///< end of its window, s
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(samples_, force_, time_);
+    if (samples_.empty()) throw RunError("holds no samples of a load");
+  }
 
  private:
   struct Sample {

@@ -35,6 +35,11 @@ class LoadProfile {
   /// touched; starts anew.
   std::vector<Bin> take(double interval);
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(impulse_, touched_);
+  }
+
  private:
   std::size_t bin_at(double elevation) const;
   /// Length covered by places, each as long as a spacing, along a horizontal unit vector, m.

@@ -25,6 +25,11 @@ struct MotionState {
   double creep = 0;          ///< mean displacement, spacings a minute
   bool has_moved = false;    ///< more than the limit of volume has gone further than a spacing
   bool is_at_rest = false;
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(moving_volume, moving_share, energy_share, creep, has_moved, is_at_rest);
+  }
 };
 
 /// Watches a flow for rest.
@@ -49,11 +54,21 @@ class RestWatch {
 
   const MotionState& state() const { return state_; }
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(kept_, start_, released_, peak_energy_, calm_since_, state_);
+  }
+
  private:
   /// Positions by particle number at one moment; NaN of those that were not there.
   struct Kept {
     double time = 0;
     std::vector<Vec3d> position;
+
+    template <class Archive>
+    void archive(Archive& a) {
+      a(time, position);
+    }
   };
   struct Sums;
 

@@ -34,6 +34,11 @@ class Section {
   /// Since the last call; discharge is this by the time in between.
   SectionVolumes take_interval();
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(total_, interval_);
+  }
+
  private:
   Curtain curtain_;
   SectionVolumes total_;

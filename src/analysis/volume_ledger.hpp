@@ -45,6 +45,12 @@ class VolumeLedger {
 
   VolumeRow row() const;
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a.fixed(crossings_);
+    a(released_, beyond_, outflow_, put_back_);
+  }
+
  private:
   double reference_density_;
   std::optional<Curtain> dam_;

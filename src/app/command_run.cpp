@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -19,6 +20,9 @@ struct RunCommandOptions {
   std::string case_path;
   std::string folder;
   bool overwrite = false;
+  bool resume = false;
+  std::optional<double> branch_at;  // s
+  std::string branch_from;
   std::vector<Override> overrides;
 };
 
@@ -29,7 +33,7 @@ void print_heading(const Case& c, const std::filesystem::path& folder) {
   std::fflush(stdout);
 }
 
-int report(const RunResult& result) {
+int report(const RunResult& result, const std::filesystem::path& folder, bool has_checkpoint) {
   for (const std::string& line : result.summary) fmt::print("{}\n", line);
   if (!result.index.empty())
     fmt::print("Open {}\nFor a report: sabo report {}\n", result.index.string(),
@@ -39,12 +43,23 @@ int report(const RunResult& result) {
     case RunEnd::finished:
       return exit_done;
     case RunEnd::interrupted:
+      if (has_checkpoint) fmt::print("To go on: sabo run {} --resume\n", folder.string());
+      std::fflush(stdout);
       return exit_stopped;
     case RunEnd::failed:
       break;
   }
   print_error(result.reason);
   return exit_run_failed;
+}
+
+/// A run that goes on may be named by its folder alone.
+std::filesystem::path folder_of(const RunCommandOptions& options) {
+  std::error_code error;
+  const std::filesystem::path path = options.case_path;
+  if (!options.folder.empty()) return options.folder;
+  if (options.resume && std::filesystem::exists(path / "manifest.toml", error)) return path;
+  return name_of_case(path) + "-run";
 }
 
 int run(const RunCommandOptions& options) {
@@ -54,19 +69,24 @@ int run(const RunCommandOptions& options) {
   faults.throw_if_any();
 
   RunOptions run_options;
-  run_options.folder =
-      options.folder.empty() ? name_of_case(options.case_path) + "-run" : options.folder;
-  run_options.overwrite = options.overwrite;
+  run_options.folder = folder_of(options);
+  if (options.overwrite) run_options.former = FormerRun::replaced;
+  if (options.resume) run_options.former = FormerRun::resumed;
+  if (options.branch_at) run_options.branch = {options.branch_from, *options.branch_at};
   run_options.stop = &stop;
   ProgressDisplay display(std::ranges::any_of(c.structures, [](const StructureCase& structure) {
     return structure.kind == StructureKind::check_dam;
   }));
   run_options.on_progress = [&](const RunProgress& progress) { display.show(progress); };
+  run_options.on_note = [&](const std::string& line) {
+    display.finish();
+    fmt::print("{}\n", line);
+  };
 
   print_heading(c, run_options.folder);
   const RunResult result = run_case(c, run_options);
   display.finish();
-  return report(result);
+  return report(result, run_options.folder, c.run.checkpoint_interval > 0);
 }
 
 }  // namespace
@@ -85,13 +105,26 @@ void add_run_command(CLI::App& program, Action& action) {
       ->type_name("DIR");
   command->add_flag("--overwrite", options->overwrite,
                     "replace the results of a former run in that folder");
+  command
+      ->add_flag("--resume", options->resume,
+                 "go on with the run in that folder from its last checkpoint; CASE may be the "
+                 "folder itself")
+      ->excludes("--overwrite");
+  auto* branch_at = command->add_option("--branch-at", options->branch_at,
+                                        "start with the flow as it was in another run at this "
+                                        "time, s: a dam may be added meanwhile");
+  auto* from = command->add_option("--from", options->branch_from, "folder of that run");
+  branch_at->type_name("TIME")->needs(from)->excludes("--resume");
+  from->type_name("RUN")->needs(branch_at);
   add_case_option(*command, "numerics", "spacing", options->overrides);
   add_case_option(*command, "run", "duration", options->overrides);
   add_case_option(*command, "numerics", "method", options->overrides);
   add_case_option(*command, "numerics", "backend", options->overrides);
   add_case_option(*command, "numerics", "threads", options->overrides);
   command->footer(
-      "Examples:\n  sabo run demo\n  sabo run demo -o coarse --spacing 1.5 --duration 60");
+      "Examples:\n  sabo run demo\n  sabo run demo -o coarse --spacing 1.5 --duration 60\n"
+      "  sabo run demo-run --resume\n"
+      "  sabo run with-dam --branch-at 60 --from demo-run");
   command->callback([&action, options] {
     action = {options->case_path, [=] { return run(*options); }};
   });

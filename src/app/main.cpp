@@ -1,4 +1,5 @@
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <filesystem>
 #include <new>
@@ -79,11 +80,27 @@ int run_program(int argc, char** argv, Action& action) {
   return code;
 }
 
+constexpr const char* no_memory =
+    "not enough memory; try a larger numerics.spacing or a smaller terrain.crop";
+
+/// No exception leaves a loop on several threads: it ends the program here.
+[[noreturn]] void end_in_threads() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    print_error(no_memory);
+    std::_Exit(exit_run_failed);
+  } catch (...) {
+  }
+  std::abort();
+}
+
 }  // namespace
 }  // namespace sabo
 
 // NOLINTNEXTLINE(bugprone-exception-escape): only if an error cannot even be printed
 int main(int argc, char** argv) {
+  std::set_terminate(sabo::end_in_threads);
   sabo::Action action;
   try {
     return sabo::run_program(argc, argv, action);
@@ -91,7 +108,7 @@ int main(int argc, char** argv) {
     sabo::print_faults(action.subject, error.faults());
     return sabo::exit_case_is_wrong;
   } catch (const std::bad_alloc&) {
-    sabo::print_error("not enough memory; try a larger numerics.spacing or a smaller terrain.crop");
+    sabo::print_error(sabo::no_memory);
   } catch (const std::filesystem::filesystem_error& error) {
     sabo::print_error(error.what());
   } catch (const std::system_error&) {  // of fmt::print

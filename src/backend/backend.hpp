@@ -9,6 +9,7 @@
 #include "backend/numerical_heat.hpp"
 #include "backend/pass_times.hpp"
 #include "backend/viscous_solver.hpp"
+#include "base/archive.hpp"
 #include "particles/particles.hpp"
 #include "physics/time_step.hpp"
 
@@ -19,6 +20,18 @@ struct FlowHealth {
   double min_density_ratio = 1;  ///< of fluid particles, rho / rho0
   double max_density_ratio = 1;
   bool is_finite = true;  ///< no NaN or infinity in position, velocity or density
+};
+
+/// The fluid at the head of an archived backend.
+struct ArchivedFluid {
+  double sound_speed = 0;  ///< to which its densities belong, m/s
+  Particles particles;
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a.mark("backend");
+    a(sound_speed, particles);
+  }
 };
 
 /// Arrays of particles and the loops over them. The solver calls the sweeps in the order of the
@@ -114,6 +127,11 @@ class Backend {
 
   /// Time that each pass has taken; others, as the solver, may clock theirs here as well.
   PassTimes& pass_times() { return pass_times_; }
+
+  /// The state between two steps. What is read, by a backend of the same kind and model, goes on
+  /// with the same bits. Throws RunError for what cannot be a state.
+  virtual void archive(ArchiveWriter& a) = 0;
+  virtual void archive(ArchiveReader& a) = 0;
 
  protected:
   FlowModel model_;

@@ -28,6 +28,11 @@ struct BodyLoad {
 struct BodyForce {
   std::uint32_t particle = 0;  ///< row of the boundary, until neighbours are found anew
   Vec3d force;                 ///< N
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(particle, force);
+  }
 };
 
 }  // namespace sabo

@@ -40,6 +40,8 @@ class HostBackend : public Backend {
   const std::vector<double>& density_rates() const override { return density_rate_; }
   const std::vector<BodyLoad>& body_loads() const override { return body_loads_; }
   const std::vector<BodyForce>& body_forces() const override { return body_forces_; }
+  void archive(ArchiveWriter& a) override { archive_state(a); }
+  void archive(ArchiveReader& a) override { archive_state(a); }
 
  protected:
   /// Lists the pairs of the present positions, reordering the particles if it likes.
@@ -47,6 +49,9 @@ class HostBackend : public Backend {
   /// Appends each fluid particle within the kernel of particle i, boundary particles counting from
   /// the last fluid one, once and without i; some that are a little farther may be among them.
   virtual void fluid_near(std::size_t i, std::vector<std::uint32_t>& near) const = 0;
+
+  /// Where the fluid was when its pairs were listed, in its present order.
+  virtual const std::vector<Vec3d>& listed_positions() const = 0;
 
   int threads() const { return threads_; }
 
@@ -101,6 +106,9 @@ class HostBackend : public Backend {
   WallContact contact_of(const Law& law, std::size_t i, const Vec3d& normal, double distance) const;
   template <class Law>
   void stress_of(const Law& law, Particles& particles, std::size_t offset, bool carries_stress);
+  template <class Archive>
+  void archive_state(Archive& a);
+  void list_again(std::vector<Vec3d>& listed);
   void list_bodies();
   void unload_bodies();
   template <class PairForce>

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdint>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -10,10 +11,15 @@ namespace sabo {
 
 /// What one pass over the particles has taken since the start.
 struct PassTime {
-  std::string_view name;    ///< a literal
+  std::string name;
   double seconds = 0;       ///< wall time
   std::uint64_t calls = 0;  ///< how often it ran
   std::uint64_t pairs = 0;  ///< pairs it visited; 0 for a pass over single particles
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(name, seconds, calls, pairs);
+  }
 };
 
 /// Time by pass. Passes come in the order of their first call and do not overlap, so that they sum
@@ -27,7 +33,7 @@ class PassTimes {
     const auto found = std::find_if(passes_.begin(), passes_.end(),
                                     [&](const PassTime& pass) { return pass.name == name; });
     if (found != passes_.end()) return *found;
-    passes_.push_back({name});
+    passes_.push_back({std::string(name)});
     return passes_.back();
   }
 
@@ -39,6 +45,11 @@ class PassTimes {
   }
 
   void clear() { passes_.clear(); }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(passes_);
+  }
 
  private:
   std::vector<PassTime> passes_;

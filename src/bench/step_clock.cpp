@@ -13,7 +13,7 @@ std::uint64_t lists_made(BenchFlow& flow) {
 PassSamples& entry_of(std::string_view name, std::vector<PassSamples>& passes) {
   for (PassSamples& pass : passes)
     if (pass.name == name) return pass;
-  passes.push_back({name, {}});
+  passes.push_back({std::string(name), {}});
   return passes.back();
 }
 

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <string_view>
+#include <string>
 #include <vector>
 
 #include "bench/measurement.hpp"
@@ -12,7 +12,7 @@ namespace sabo {
 
 /// What one pass took in each repetition.
 struct PassSamples {
-  std::string_view name;
+  std::string name;
   Samples seconds;          ///< per step
   std::uint64_t pairs = 0;  ///< over all repetitions
   double all_seconds = 0;   ///< the same

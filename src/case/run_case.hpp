@@ -8,6 +8,8 @@ struct RunCase {
   double duration = 0;
   double output_interval = 5;
   double series_interval = 0.5;
+  double checkpoint_interval = 600;
+  double kept_checkpoint_interval = 0;
   bool stop_at_rest = true;
   double rest_time = 10;
   double rest_speed = 0.01;
@@ -25,6 +27,17 @@ struct RunCase {
     v(Key{"output_interval", "s", "between frames"}.above(0).at_most(1e7), output_interval);
     v(Key{"series_interval", "s", "between rows of the series"}.above(0).at_most(1e7),
       series_interval);
+    v(Key{"checkpoint_interval", "s",
+          "of computing between checkpoints, from which sabo run --resume goes on; 0: none at all"}
+          .at_least(0)
+          .at_most(1e7),
+      checkpoint_interval);
+    v(Key{"kept_checkpoint_interval", "s",
+          "simulated time between checkpoints that are kept for sabo run --branch-at; 0: none but "
+          "the last"}
+          .at_least(0)
+          .at_most(1e7),
+      kept_checkpoint_interval);
     v(Key{"stop_at_rest", "",
           "end the run when the flow has moved and the following limits hold, all at once"},
       stop_at_rest);

@@ -1,5 +1,7 @@
 #include "particles/particles.hpp"
 
+#include "base/error.hpp"
+
 namespace sabo {
 namespace {
 
@@ -29,6 +31,13 @@ void Particles::append(const Particles& source, const std::vector<std::uint32_t>
   for (const std::uint32_t row : rows) name.push_back(source.name[row]);
   SABO_PARTICLE_FIELDS(SABO_APPEND_FIELD)
 #undef SABO_APPEND_FIELD
+}
+
+void Particles::check_lengths() const {
+#define SABO_CHECK_FIELD(type, name, unit, meaning, is_shown) \
+  if (name.size() != size()) throw RunError("holds arrays of particles that differ in length");
+  SABO_PARTICLE_FIELDS(SABO_CHECK_FIELD)
+#undef SABO_CHECK_FIELD
 }
 
 }  // namespace sabo

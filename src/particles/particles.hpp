@@ -40,6 +40,15 @@ struct Particles {
   /// Appends the given rows of another set.
   void append(const Particles& source, const std::vector<std::uint32_t>& rows);
 
+  /// Throws RunError when the arrays that are read differ in length.
+  template <class Archive>
+  void archive(Archive& a) {
+#define SABO_ARCHIVE_FIELD(type, name, unit, meaning, is_shown) a(name);
+    SABO_PARTICLE_FIELDS(SABO_ARCHIVE_FIELD)
+#undef SABO_ARCHIVE_FIELD
+    if constexpr (Archive::is_reader) check_lengths();
+  }
+
   /// Calls f(name, unit, meaning, array) for each field that is shown.
   template <class F>
   void for_each_shown_field(F&& f) const {
@@ -48,6 +57,9 @@ struct Particles {
     SABO_PARTICLE_FIELDS(SABO_VISIT_FIELD)
 #undef SABO_VISIT_FIELD
   }
+
+ private:
+  void check_lengths() const;
 };
 
 }  // namespace sabo

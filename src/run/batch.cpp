@@ -25,7 +25,8 @@ class Queue {
       return record;
     }
     tell(heading);
-    const RunResult made = run_case(run.c, {folder, true, options_.on_progress, options_.stop});
+    const RunResult made =
+        run_case(run.c, {folder, FormerRun::replaced, options_.on_progress, options_.stop, false});
     if (made.end == RunEnd::interrupted) result_.end = RunEnd::interrupted;
     if (made.end == RunEnd::failed) fail(run, made.reason);
     if (made.end != RunEnd::finished) return std::nullopt;

@@ -20,7 +20,7 @@ Basin basin_behind(const CheckDam& dam, const Scene& scene) {
 }
 
 DamFillings::DamFillings(const Scene& scene, const RunFolder& folder)
-    : csv_(folder.series() / "filling.csv", header(scene)) {
+    : csv_(folder.series_file("filling.csv"), header(scene)) {
   for (const CheckDam& dam : scene.check_dams()) basins_.push_back(basin_behind(dam, scene));
 }
 

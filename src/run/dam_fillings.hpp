@@ -23,6 +23,11 @@ class DamFillings {
   /// One per check dam.
   const std::vector<Basin>& basins() const { return basins_; }
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(csv_);
+  }
+
  private:
   std::vector<Basin> basins_;
   CsvWriter csv_;

@@ -7,10 +7,6 @@
 namespace sabo {
 namespace {
 
-GroundSettings ground_settings(const FlowModel& model) {
-  return {model.spacing, model.wall_layers(), model.state.rho0};
-}
-
 std::unique_ptr<Backend> loaded_backend(const Case& c, const Particles& fluid,
                                         const FlowModel& model) {
   auto backend = make_backend(c.numerics.backend, model);
@@ -19,6 +15,10 @@ std::unique_ptr<Backend> loaded_backend(const Case& c, const Particles& fluid,
 }
 
 }  // namespace
+
+GroundSettings ground_settings(const FlowModel& model) {
+  return {model.spacing, model.wall_layers(), model.state.rho0};
+}
 
 Flow::Flow(const Case& c, const Scene& scene, const Particles& fluid)
     : model_(flow_model(c.material, c.numerics, scene.release_depth)),

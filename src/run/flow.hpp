@@ -10,6 +10,9 @@
 
 namespace sabo {
 
+/// Of the ground under a flow.
+GroundSettings ground_settings(const FlowModel& model);
+
 /// The flow of a case, ready to be stepped. `scene` must outlive it.
 class Flow {
  public:
@@ -21,6 +24,11 @@ class Flow {
   Domain& domain() { return domain_; }
   Backend& backend() { return *backend_; }
   Stepper& stepper() { return *stepper_; }
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(*backend_, *stepper_, domain_);
+  }
 
  private:
   FlowModel model_;  ///< at the start

@@ -1,9 +1,12 @@
 #include "run/frames.hpp"
 
-#include <cstdio>
 #include <list>
+#include <system_error>
 #include <type_traits>
 
+#include <fmt/format.h>
+
+#include "base/error.hpp"
 #include "run/scene_structures.hpp"
 
 namespace sabo {
@@ -44,10 +47,18 @@ void Frames::write_bodies(const Scene& scene) const {
   write_mesh_vtp(folder_ / "bodies.vtp", all, numbers, origin_);
 }
 
-void Frames::write(double time, const Particles& fluid) {
-  char name[32];
-  std::snprintf(name, sizeof name, "flow_%05zu.vtp", count_++);
+std::filesystem::path Frames::file(std::size_t number) const {
+  return folder_ / fmt::format("flow_{:05}.vtp", number);
+}
 
+void Frames::take_back() const {
+  std::error_code error;
+  for (std::size_t k = 0; k < count_; ++k)
+    if (!std::filesystem::exists(file(k), error)) throw RunError(file(k).string() + " is missing");
+  for (std::size_t k = count_; std::filesystem::remove(file(k), error); ++k) continue;
+}
+
+void Frames::write(double time, const Particles& fluid) {
   VtpFrame frame{time, origin_};
   std::vector<Vec3f> points;
   points.reserve(fluid.size());
@@ -68,8 +79,9 @@ void Frames::write(double time, const Particles& fluid) {
           frame.arrays.push_back({title(field, unit), 3, std::span<const float>(kept.back())});
         }
       });
-  write_particles_vtp(folder_ / name, frame);
-  list_.add(time, name);
+  write_particles_vtp(file(count_), frame);
+  list_.add(time, file(count_).filename().string());
+  ++count_;
 }
 
 }  // namespace sabo

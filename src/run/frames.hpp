@@ -20,7 +20,18 @@ class Frames {
 
   void write(double time, const Particles& fluid);
 
+  /// Which frames there are. What is read takes off those that were written later; throws RunError
+  /// when an earlier one is gone.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(count_);
+    if constexpr (Archive::is_reader) take_back();
+    a(list_);
+  }
+
  private:
+  std::filesystem::path file(std::size_t number) const;
+  void take_back() const;
   void write_bodies(const Scene& scene) const;
 
   std::filesystem::path folder_;

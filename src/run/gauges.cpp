@@ -18,7 +18,7 @@ std::vector<std::string> header(const Scene& scene) {
 }  // namespace
 
 Gauges::Gauges(const Scene& scene, const FlowModel& model, const RunFolder& folder)
-    : scene_(scene), model_(model), csv_(folder.series() / "gauges.csv", header(scene)) {}
+    : scene_(scene), model_(model), csv_(folder.series_file("gauges.csv"), header(scene)) {}
 
 void Gauges::write_row(double time, const Particles& fluid, const Columns& columns) {
   const Raster& ground = scene_.surface->elevation();

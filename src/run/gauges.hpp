@@ -16,6 +16,11 @@ class Gauges {
   /// Depth and speed are those of the cell of the map, pressure is that at the gauge's own point.
   void write_row(double time, const Particles& fluid, const Columns& columns);
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(csv_);
+  }
+
  private:
   const Scene& scene_;
   FlowModel model_;

@@ -133,6 +133,11 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
       toml_string(build_version), toml_string(build_compiler), toml_string(cpu_name()),
       toml_string(facts.started), facts.solver.wall, facts.solver.simulated, facts.solver.steps,
       facts.particles, facts.boundary_particles, facts.top_speed, facts.sound_speed);
+  if (!facts.resumed.empty())
+    text += fmt::format("resumed_s = [{:.6g}]\n", fmt::join(facts.resumed, ", "));
+  if (!facts.branched_from.empty())
+    text += fmt::format("branched_from = {}\nbranched_at_s = {:.6g}\n",
+                        toml_string(facts.branched_from), facts.branched_at);
   text += scene_toml(c, scene);
   if (!rows.empty())
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
@@ -240,6 +245,10 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                    percent(facts.raster_volume, facts.particle_volume))}};
   if (!facts.motion.is_at_rest)
     page.facts.insert(page.facts.begin() + 1, {"Not at rest", motion_text(facts.motion, c.run)});
+  if (!facts.branched_from.empty())
+    page.facts.insert(page.facts.begin(),
+                      {"Starts", fmt::format("with the state of {} at {:.1f} s",
+                                             facts.branched_from, facts.branched_at)});
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
   page.warning = resolution_warning(facts.resolution);
   page.tables = result_tables(facts, c, scene, rows);

@@ -33,6 +33,9 @@ struct RunFacts {
   std::vector<Basin> basins;       ///< one entry per check dam
   std::vector<LoadSummary> loads;  ///< one entry per structure, then per body
   std::vector<KeyQuantity> quantities;
+  std::vector<double> resumed;  ///< times at which the run was taken up again, s
+  std::string branched_from;    ///< folder of the run that the state at its start is of
+  double branched_at = 0;       ///< s
 };
 
 /// Version of the layout of a run folder.

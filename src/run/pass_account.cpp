@@ -13,7 +13,7 @@ std::vector<PassShare> pass_shares(const PassTimes& times, double wall) {
   std::vector<PassShare> shares;
   for (const PassTime& pass : times.passes()) {
     const double rate = pass.seconds > 0 ? static_cast<double>(pass.pairs) / pass.seconds : 0;
-    shares.push_back({std::string(pass.name), pass.seconds, share(pass.seconds), pass.calls, rate});
+    shares.push_back({pass.name, pass.seconds, share(pass.seconds), pass.calls, rate});
   }
   std::stable_sort(shares.begin(), shares.end(),
                    [](const PassShare& a, const PassShare& b) { return a.seconds > b.seconds; });

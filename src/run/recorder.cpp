@@ -66,19 +66,19 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       has_dams_(!scene.check_dams().empty()),
       has_places_(!scene.zones.empty() || !scene.gauges.empty() || !loads_.is_empty()),
       has_dynamic_walls_(c.numerics.method == Method::paper),
-      front_csv_(folder.series() / "front.csv",
+      front_csv_(folder.series_file("front.csv"),
                  {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),
-      discharge_csv_(folder.series() / "discharge.csv", discharge_header(scene)),
-      volumes_csv_(folder.series() / "volumes.csv", volumes_header(scene)),
-      zones_csv_(folder.series() / "zones.csv", zones_header(scene)),
-      energy_csv_(folder.series() / "energy.csv",
+      discharge_csv_(folder.series_file("discharge.csv"), discharge_header(scene)),
+      volumes_csv_(folder.series_file("volumes.csv"), volumes_header(scene)),
+      zones_csv_(folder.series_file("zones.csv"), zones_header(scene)),
+      energy_csv_(folder.series_file("energy.csv"),
                   {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
                    "dissipated [J]", "numerical [J]", "left the map [J]"}),
-      rest_csv_(folder.series() / "rest.csv",
+      rest_csv_(folder.series_file("rest.csv"),
                 {"time [s]", "moving volume [m3]", "kinetic energy over its peak",
                  "creep [spacings/min]"}),
       solver_csv_(
-          folder.series() / "solver.csv",
+          folder.series_file("solver.csv"),
           {"time [s]", "step [count]", "time step [s]", "fastest [m/s]", "lowest density ratio",
            "highest density ratio", "fluid [count]", "boundary [count]", "sound speed [m/s]",
            "viscous iterations [count]", "asleep [count]"}) {
@@ -86,8 +86,24 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
   for (const NamedZone& zone : scene.zones)
     zones_.emplace_back(scene.surface->elevation(), zone.polygons);
   tracks_.advance(scene.release);
-  maps_.update(0, scene.release);
-  rest_.update(0, scene.release);
+}
+
+void Recorder::start(double time, const Particles& fluid, const Particles& release) {
+  std::vector<char> is_there(release.size(), 0);
+  for (const std::uint32_t id : fluid.id)
+    if (id < is_there.size()) is_there[id] = 1;
+  std::vector<std::uint32_t> gone_rows;
+  for (std::uint32_t i = 0; i < release.size(); ++i)
+    if (!is_there[release.id[i]]) gone_rows.push_back(i);
+  Particles gone;
+  gone.append(release, gone_rows);
+  const std::vector<Vec3d>& before = tracks_.advance(fluid);
+  for (VolumeLedger& ledger : ledgers_) {
+    ledger.record(before, fluid);
+    ledger.leave(gone);
+  }
+  maps_.update(time, fluid);
+  rest_.update(time, fluid);
 }
 
 void Recorder::after_step(const Stepper& stepper, const StepReport& report, Backend& backend) {

@@ -37,12 +37,22 @@ struct SeriesRow {
   double dissipated = 0;  ///< J
   NumericalHeat numerical;
   MotionState motion;
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(time, front, discharge, volumes, zones, basins, loads, energy, left, dissipated, numerical,
+      motion);
+  }
 };
 
 /// Measures a run while it goes on and writes the series.
 class Recorder {
  public:
   Recorder(const Case& c, const Scene& scene, const FlowModel& model, const RunFolder& folder);
+
+  /// To be called first. A flow that starts on its way counts as if its particles had come straight
+  /// from where they were released, and those that it lacks had left the map.
+  void start(double time, const Particles& fluid, const Particles& release);
 
   /// To be called after every step: counts crossings and samples the maps each time the fastest
   /// particle has moved by a cell or a spacing, whichever is larger.
@@ -62,6 +72,23 @@ class Recorder {
   const MotionState& motion() const { return rest_.state(); }
   const std::vector<Basin>& basins() const { return fillings_.basins(); }
   std::vector<LoadSummary> loads() const { return loads_.summaries(); }
+
+  /// Without the tracks, see follow().
+  template <class Archive>
+  void archive(Archive& a) {
+    a.mark("recorder");
+    a.fixed(sections_);
+    a.fixed(ledgers_);
+    a(section_states_, gauges_, fillings_, loads_, front_, rest_, maps_, travelled_, put_back_seen_,
+      left_, rows_);
+    a(front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_, solver_csv_);
+  }
+
+  /// From now on paths of particles start where they are.
+  void follow(const Particles& fluid) {
+    tracks_ = {};
+    tracks_.advance(fluid);
+  }
 
  private:
   void write_zones(SeriesRow& row);

@@ -18,8 +18,8 @@ std::vector<std::string> header(const Scene& scene) {
 
 SectionStates::SectionStates(const Scene& scene, const FlowModel& model, const RunFolder& folder)
     : scene_(scene),
-      sections_csv_(folder.series() / "sections.csv", header(scene)),
-      profiles_csv_(folder.series() / "velocity_profiles.csv",
+      sections_csv_(folder.series_file("sections.csv"), header(scene)),
+      profiles_csv_(folder.series_file("velocity_profiles.csv"),
                     {"section", "time [s]", "height [m]", "area [m2]", "speed [m/s]"}) {
   for (const NamedSection& section : scene.sections)
     slabs_.emplace_back(section.line, model.spacing, model.state.rho0);

@@ -18,6 +18,11 @@ class SectionStates {
 
   void write_row(double time, const Particles& fluid);
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(sections_csv_, profiles_csv_);
+  }
+
  private:
   const Scene& scene_;
   std::vector<SectionSlab> slabs_;

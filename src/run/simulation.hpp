@@ -4,11 +4,14 @@
 #include <cstddef>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "analysis/front.hpp"
 #include "analysis/volume_ledger.hpp"
 #include "case/case.hpp"
+#include "run/branch.hpp"
+#include "run/run_folder.hpp"
 #include "run/scene.hpp"
 
 namespace sabo {
@@ -42,9 +45,14 @@ struct RunResult {
 
 struct RunOptions {
   std::filesystem::path folder;  ///< empty or absent; made if need be
-  bool overwrite = false;        ///< the files of a former run in the folder may be replaced
+  FormerRun former = FormerRun::kept;
   std::function<void(const RunProgress&)> on_progress;  ///< called a few times a second
   const std::atomic<bool>* stop = nullptr;              ///< set by a signal handler
+  bool keeps_checkpoint = true;                         ///< the last one, when the run has finished
+  /// Called with a line that the user should see: where a run goes on, a damaged checkpoint.
+  std::function<void(const std::string&)> on_note = {};
+  /// Where it starts from, if not from the release.
+  std::optional<BranchOrigin> branch = {};
 };
 
 /// Runs a case and writes its run folder. Throws CaseError and, before anything was simulated,

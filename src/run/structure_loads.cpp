@@ -87,6 +87,11 @@ struct StructureLoads::Structure {
   LoadProfile profile;
   BodyLoad at_last_row;  ///< impulse until then
   LoadSummary summary;
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(peak, profile, at_last_row, summary);
+  }
 };
 
 StructureLoads::~StructureLoads() = default;
@@ -97,8 +102,8 @@ StructureLoads::StructureLoads(const LoadCase& settings, const Scene& scene, con
       density_(model.state.rho0),
       gravity_(norm(model.gravity)),
       spacing_(model.spacing),
-      loads_csv_(folder.series() / "loads.csv", loads_header(scene)),
-      profiles_csv_(folder.series() / "pressure_profiles.csv",
+      loads_csv_(folder.series_file("loads.csv"), loads_header(scene)),
+      profiles_csv_(folder.series_file("pressure_profiles.csv"),
                     {"structure", "time [s]", "bottom [m]", "top [m]", "force x [N]", "force y [N]",
                      "width [m]", "pressure [Pa]"}) {
   const auto add = [&](const std::string& name, const Vec3d& base, Approach approach) {
@@ -183,6 +188,16 @@ LoadRow StructureLoads::write_structure(Structure& structure, double time, const
   }
   return {horizontal(mean.force), hydrostatic, dynamic};
 }
+
+template <class Archive>
+void StructureLoads::archive(Archive& a) {
+  a(last_row_);
+  a.fixed(structures_);
+  a(loads_csv_, profiles_csv_);
+}
+
+template void StructureLoads::archive(ArchiveWriter&);
+template void StructureLoads::archive(ArchiveReader&);
 
 std::vector<LoadSummary> StructureLoads::summaries() const {
   std::vector<LoadSummary> list;

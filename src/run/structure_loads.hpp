@@ -29,6 +29,12 @@ struct LoadSummary {
   Vec3d row_force;                        ///< N
   Vec3d row_moment;                       ///< about the middle of the base, N m
   std::vector<LoadProfile::Bin> profile;  ///< over the height
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(name, peak, peak_time, impulse, hydrostatic, dynamic, row_time, row_force, row_moment,
+      profile);
+  }
 };
 
 /// One row of a structure, for the pictures.
@@ -55,6 +61,9 @@ class StructureLoads {
                                  const Columns& columns);
 
   std::vector<LoadSummary> summaries() const;
+
+  template <class Archive>
+  void archive(Archive& a);
 
  private:
   struct Structure;

@@ -23,6 +23,12 @@ class Domain {
   std::size_t put_back_count() const { return put_back_count_; }
   const Ground& ground() const { return ground_; }
 
+  /// With the ground.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(ground_, departed_, put_back_count_);
+  }
+
  private:
   void put_back(Particles& fluid, std::size_t i);
 

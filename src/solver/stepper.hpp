@@ -17,6 +17,11 @@ struct StepReport {
   FlowExtremes flow;       ///< at the start of the step
   double sound_speed = 0;  ///< m/s
   int iterations = 0;      ///< of the implicit viscosity
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(dt, flow, sound_speed, iterations);
+  }
 };
 
 /// Carries the state of a backend forward in time: one of the methods.
@@ -39,11 +44,19 @@ class Stepper {
   void advance_to(double time, double longest = std::numeric_limits<double>::infinity());
 
   double time() const { return time_; }  ///< s
+  /// Before the first step: the flow is that of another time than 0.
+  void start_at(double time) { time_ = time; }
   std::size_t steps() const { return steps_; }
   double dissipated() const { return dissipated_; }  ///< heat made by viscosity so far, J
   /// What each body has been given so far, number 1 first: the loads of every step over its time,
   /// N s and N m s. Its difference over an interval by the interval is the mean load.
   const std::vector<BodyLoad>& body_impulses() const { return body_impulses_; }
+
+  /// Without the backend and the domain.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(time_, steps_, dissipated_, body_impulses_);
+  }
 
  protected:
   /// Moves the state over one step.

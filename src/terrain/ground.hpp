@@ -47,6 +47,12 @@ class Ground {
   const std::vector<Body>& bodies() const { return bodies_; }
   std::size_t tile_count() const { return tiles_.size(); }
 
+  /// Which tiles are made; their particles are with those that hold them.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(tiles_, next_id_);
+  }
+
  private:
   /// Particles of one tile: a run of ids.
   struct Tile {

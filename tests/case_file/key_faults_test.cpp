@@ -100,7 +100,8 @@ TEST(KeyFaults, UnknownKeyWithTheNearestWord) {
 TEST(KeyFaults, UnknownKeyLikeNoOther) {
   EXPECT_THAT(replaced("[numerics]", "temperature = 20\n[numerics]"),
               ElementsAre("case.toml:8 run.temperature: unknown key; remove it, or use one of: "
-                          "duration, output_interval, series_interval, stop_at_rest, rest_time, "
+                          "duration, output_interval, series_interval, checkpoint_interval, "
+                          "kept_checkpoint_interval, stop_at_rest, rest_time, "
                           "rest_speed, rest_volume, rest_energy, rest_creep"));
 }
 

@@ -186,7 +186,7 @@ TEST_F(Study, KnowsAFinishedRunOfTheSameCaseAndInputs) {
   Case c = study_plan(request({4, 5}))[1].c;
   const auto run_folder = folder_ / "run";
   EXPECT_FALSE(finished_record(run_folder, c)) << "nothing is there";
-  ASSERT_EQ(run_case(c, {run_folder, false, {}, nullptr}).end, RunEnd::finished);
+  ASSERT_EQ(run_case(c, {run_folder, FormerRun::kept, {}, nullptr}).end, RunEnd::finished);
   const auto found = finished_record(run_folder, c);
   ASSERT_TRUE(found);
   EXPECT_EQ(found->simulated, 0.05);

@@ -32,6 +32,7 @@ class CpuBackend : public HostBackend {
   void list_pairs() override;
   void prepare_rows() override;
   void fluid_near(std::size_t self, std::vector<std::uint32_t>& near) const override;
+  const std::vector<Vec3d>& listed_positions() const override { return age_.start_positions(); }
 
  private:
   void set_scale();

@@ -16,10 +16,12 @@ void CpuBackend::prepare_rows() {
   motion_.resize(fluids + boundary_.size());
   closing_.resize(fluids + boundary_.size());
   touched_walls_.clear();
+  std::vector<char> is_awake(fluids, 0);
+  for (const std::uint32_t i : awake_) is_awake[i] = 1;
   for (std::size_t b = fluids; b < list_.size(); ++b) {
     const PairList::Row row = list_.row(b);
-    const auto is_awake = [&](std::uint32_t j) { return j < fluids && !is_asleep(j); };
-    if (std::any_of(row.fluid, row.boundary, is_awake))
+    const auto wakes = [&](std::uint32_t j) { return j < fluids && is_awake[j]; };
+    if (std::any_of(row.fluid, row.boundary, wakes))
       touched_walls_.push_back(static_cast<std::uint32_t>(b));
   }
   wall_pressure_.resize(touched_walls_.size());

@@ -22,6 +22,8 @@ class ListAge {
   /// they are now. The skin must be at most half the reach.
   bool is_stale(const std::vector<Vec3d>& fluid, double skin, double margin) const;
 
+  const std::vector<Vec3d>& start_positions() const { return start_; }
+
  private:
   std::vector<Vec3d> start_;
   std::vector<std::uint32_t> square_;  // of each particle, row by row

@@ -16,6 +16,7 @@ namespace {
 
 constexpr double max_frames = 1e5;
 constexpr double max_rows = 1e7;
+constexpr double max_checkpoints = 1000;
 
 void check_crop(const TerrainCase& terrain, Faults& faults) {
   if (!terrain.crop) return;
@@ -279,6 +280,15 @@ void check_interval(double interval, const std::string& key, double max_count, d
              fmt::format("give at least {} s", short_text(duration / max_count)));
 }
 
+void check_checkpoints(const RunCase& run, Faults& faults) {
+  if (run.kept_checkpoint_interval == 0 || faults.has("run.kept_checkpoint_interval")) return;
+  if (run.checkpoint_interval == 0)
+    faults.add("run.kept_checkpoint_interval", "no checkpoints are written",
+               "give checkpoint_interval a number above 0");
+  check_interval(run.kept_checkpoint_interval, "kept_checkpoint_interval", max_checkpoints,
+                 run.duration, faults);
+}
+
 }  // namespace
 
 void check_rules(const Case& c, Faults& faults) {
@@ -312,6 +322,7 @@ void check_rules(const Case& c, Faults& faults) {
   check_numerics(c.numerics, faults);
   check_interval(c.run.output_interval, "output_interval", max_frames, c.run.duration, faults);
   check_interval(c.run.series_interval, "series_interval", max_rows, c.run.duration, faults);
+  check_checkpoints(c.run, faults);
 }
 
 }  // namespace sabo

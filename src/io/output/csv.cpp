@@ -1,10 +1,13 @@
 #include "io/output/csv.hpp"
 
+#include <array>
 #include <cerrno>
 #include <cmath>
 #include <system_error>
 
 #include <fmt/format.h>
+#include <unistd.h>
+#include <zlib.h>
 
 #include "base/error.hpp"
 
@@ -33,13 +36,40 @@ std::string csv_line(std::span<const std::string> fields) {
   return line + '\n';
 }
 
-CsvWriter::CsvWriter(const std::filesystem::path& file, const std::vector<std::string>& header)
-    : name_(file.string()), header_(header), file_(std::fopen(file.c_str(), "wb")) {
+CsvWriter::CsvWriter(const TableFile& file, const std::vector<std::string>& header)
+    : name_(file.path.string()),
+      header_(header),
+      file_(std::fopen(file.path.c_str(), file.goes_on ? "r+b" : "wb")) {
   if (!file_) {
     throw RunError(
         fmt::format("cannot write {}: {}", name_, std::generic_category().message(errno)));
   }
-  write_line(csv_line(header_));
+  if (!file.goes_on) write_line(csv_line(header_));
+}
+
+void CsvWriter::sync() const {
+  if (fsync(fileno(file_.get())) != 0)
+    throw RunError(
+        fmt::format("cannot write {}: {}", name_, std::generic_category().message(errno)));
+}
+
+void CsvWriter::take_back() {
+  std::array<unsigned char, 1 << 16> block{};
+  std::uint64_t left = size_;
+  uLong sum = crc32(0, nullptr, 0);
+  std::rewind(file_.get());
+  while (left > 0) {
+    const std::size_t wanted = std::min<std::uint64_t>(left, block.size());
+    const std::size_t taken = std::fread(block.data(), 1, wanted, file_.get());
+    if (taken == 0) break;
+    sum = crc32(sum, block.data(), static_cast<uInt>(taken));
+    left -= taken;
+  }
+  if (left > 0 || sum != checksum_) throw RunError(name_ + " is no longer as it was then");
+  if (ftruncate(fileno(file_.get()), static_cast<off_t>(size_)) != 0 ||
+      std::fseek(file_.get(), 0, SEEK_END) != 0)
+    throw RunError(
+        fmt::format("cannot write {}: {}", name_, std::generic_category().message(errno)));
 }
 
 void CsvWriter::append(std::span<const double> row) { write_line(numbers(row, 0)); }
@@ -70,6 +100,9 @@ void CsvWriter::write_line(const std::string& line) {
     throw RunError(
         fmt::format("cannot write {}: {}", name_, std::generic_category().message(errno)));
   }
+  size_ += line.size();
+  checksum_ = static_cast<std::uint32_t>(crc32(
+      checksum_, reinterpret_cast<const Bytef*>(line.data()), static_cast<uInt>(line.size())));
 }
 
 }  // namespace sabo

@@ -224,6 +224,10 @@ void write_moving_surface_vtp(const std::filesystem::path& file, const VtpSurfac
 void PvdWriter::add(double time, const std::string& frame_file) {
   entries_ +=
       fmt::format("<DataSet timestep=\"{:.9g}\" file=\"{}\"/>\n", time, escaped(frame_file));
+  write();
+}
+
+void PvdWriter::write() const {
   write_file_atomically(file_, fmt::format("<?xml version=\"1.0\"?>\n"
                                            "<VTKFile type=\"Collection\" version=\"0.1\" "
                                            "byte_order=\"{}\">\n<Collection>\n{}</Collection>\n"

@@ -63,7 +63,16 @@ class PvdWriter {
   /// Adds a frame, its path relative to the list, and rewrites the list. Throws RunError.
   void add(double time, const std::string& frame_file);
 
+  /// What is read takes off what was added later. Throws RunError.
+  template <class Archive>
+  void archive(Archive& a) {
+    a(entries_);
+    if constexpr (Archive::is_reader) write();
+  }
+
  private:
+  void write() const;
+
   std::filesystem::path file_;
   std::string entries_;
 };

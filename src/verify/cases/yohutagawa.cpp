@@ -74,7 +74,7 @@ BatchRecord run(const Case& c, const fs::path& folder,
   if (const auto record = finished_record(folder, c)) return *record;
   std::exception_ptr stopped;
   std::atomic<bool> stop = false;
-  RunOptions options{folder, true, {}, &stop};
+  RunOptions options{folder, FormerRun::replaced, {}, &stop};
   options.on_progress = [&](const RunProgress& p) {
     try {
       on_progress(std::min(1.0, p.time / p.duration));
