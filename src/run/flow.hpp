@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "case/case.hpp"
 #include "run/scene.hpp"
@@ -13,9 +14,9 @@ namespace sabo {
 /// The flow of a case, ready to be stepped. `scene` must outlive it.
 class Flow {
  public:
-  Flow(const Case& c, const Scene& scene) : Flow(c, scene, scene.release) {}
-  /// The same with other particles, e.g. a part of the release.
-  Flow(const Case& c, const Scene& scene, const Particles& fluid);
+  Flow(const Case& c, const Scene& scene) : Flow(c, scene, scene.release, scene.inflows) {}
+  /// The same with other particles, e.g. a part of the release, and without inflows.
+  Flow(const Case& c, const Scene& scene, const Particles& fluid) : Flow(c, scene, fluid, {}) {}
 
   const FlowModel& model() const { return model_; }
   Domain& domain() { return domain_; }
@@ -23,6 +24,9 @@ class Flow {
   Stepper& stepper() { return *stepper_; }
 
  private:
+  Flow(const Case& c, const Scene& scene, const Particles& fluid,
+       const std::vector<InflowPlan>& inflows);
+
   FlowModel model_;  ///< at the start
   Ground ground_;
   Domain domain_;

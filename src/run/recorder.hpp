@@ -23,6 +23,12 @@
 
 namespace sabo {
 
+/// What has come through an inflow since the start.
+struct InflowRow {
+  double entered = 0;     ///< m3
+  double hydrograph = 0;  ///< m3 that its hydrograph has brought by then
+};
+
 /// One row of the series, kept for the pictures; discharge has one entry per section.
 struct SeriesRow {
   double time = 0;
@@ -32,7 +38,9 @@ struct SeriesRow {
   std::vector<ZoneDepth> zones;    ///< one entry per zone
   std::vector<BasinState> basins;  ///< one entry per check dam
   std::vector<LoadRow> loads;      ///< one entry per structure, then per body
+  std::vector<InflowRow> inflows;  ///< one entry per inflow
   Energy energy;
+  Energy entered;         ///< brought by inflows so far
   Energy left;            ///< of what has left the map, at the time it did
   double dissipated = 0;  ///< J
   NumericalHeat numerical;
@@ -43,6 +51,9 @@ struct SeriesRow {
 class Recorder {
  public:
   Recorder(const Case& c, const Scene& scene, const FlowModel& model, const RunFolder& folder);
+
+  /// Takes in what has come through inflows; to be called after every step, before after_step().
+  void after_entry(Domain& domain, const Tait& state);
 
   /// To be called after every step: counts crossings and samples the maps each time the fastest
   /// particle has moved by a cell or a spacing, whichever is larger.
@@ -86,6 +97,9 @@ class Recorder {
   bool has_dams_;
   bool has_places_;  // zones, gauges or structures, which look at the columns
   bool has_dynamic_walls_;
+  std::vector<InflowRow> inflows_;
+  std::vector<const InflowPlan*> inflow_plans_;
+  Energy freed_;  // brought by what inflows have set free, at the time they did
   Energy left_;
   std::vector<SeriesRow> rows_;
   CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_,

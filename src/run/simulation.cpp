@@ -40,7 +40,6 @@ class Simulation {
 
   RunResult run() {
     facts_.started = utc_now();
-    facts_.particles = scene_.release.size();
     facts_.sound_speed = flow_.model().state.c0;
     try {
       simulate();
@@ -62,7 +61,8 @@ class Simulation {
     recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
     while (true) {
       const double time = flow_.stepper().time();
-      const bool is_empty = flow_.backend().fluid().size() == 0;
+      const bool is_empty =
+          flow_.backend().fluid().size() == 0 && flow_.domain().inflows_are_over(time);
       const bool is_at_rest = case_.run.stop_at_rest && recorder_.motion().is_at_rest;
       const bool is_over = time >= duration || is_empty || is_at_rest;
       const bool is_stopped = options_.stop && *options_.stop;
@@ -85,6 +85,7 @@ class Simulation {
       facts_.sound_speed = std::max(facts_.sound_speed, report.sound_speed);
       facts_.top_mach = std::max(facts_.top_mach, report.flow.speed / report.sound_speed);
       facts_.solver.iterations += static_cast<std::uint64_t>(report.iterations);
+      recorder_.after_entry(flow_.domain(), flow_.backend().model().state);
       recorder_.after_step(flow_.stepper(), report, flow_.backend());
       recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
       tell_progress(report);
@@ -167,6 +168,8 @@ class Simulation {
   }
 
   void fill_facts(const RunMaps& maps) {
+    facts_.particles = scene_.release.size();
+    for (const Inflow& inflow : flow_.domain().inflows()) facts_.particles += inflow.count();
     facts_.solver.wall = seconds_since(start_);
     facts_.solver.simulated = flow_.stepper().time();
     facts_.solver.steps = flow_.stepper().steps();

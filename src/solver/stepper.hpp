@@ -58,6 +58,7 @@ class Stepper {
   void check_health() const;
 
   Domain* domain_;
+  bool particles_changed_ = false;  // by inflows, since the neighbours were found
   double time_ = 0;
   std::size_t steps_ = 0;
   std::vector<BodyLoad> body_impulses_;
