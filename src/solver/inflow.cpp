@@ -73,6 +73,10 @@ double InflowPlan::speed_at(double time) const {
   return std::max(flow_at(time).speed, section.froude_speed(spacing, froude, gravity));
 }
 
+Inflow::Inflow(const InflowPlan& plan, std::uint16_t number) : plan_(plan), number_(number) {
+  if (plan.hydrograph.discharge_at(0) > 0) advance_ = plan.speed_at(0) * plan.section.cosine();
+}
+
 double Inflow::entered() const { return static_cast<double>(count_) * plan_.particle_volume(); }
 
 /// Particles that the hydrograph has brought and that have not come yet.

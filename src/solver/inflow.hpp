@@ -55,7 +55,7 @@ struct InflowPlan {
 class Inflow {
  public:
   /// `number` marks its particles, from 1. The plan must outlive the inflow.
-  Inflow(const InflowPlan& plan, std::uint16_t number) : plan_(plan), number_(number) {}
+  Inflow(const InflowPlan& plan, std::uint16_t number);
 
   /// What a step has changed.
   struct Change {
