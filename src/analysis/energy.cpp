@@ -22,6 +22,14 @@ Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& t
   return total;
 }
 
+Energy energy_brought_by(const Particles& particles, const Vec3d& gravity, const Tait& tait) {
+  Energy energy = energy_of(particles, gravity, tait);
+  for (std::size_t i = 0; i < particles.size(); ++i)
+    energy.elastic +=
+        particles.mass[i] / particles.density[i] * tait.pressure(particles.density[i]);
+  return energy;
+}
+
 EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energy& left,
                              double dissipated, double numerical) {
   EnergyBalance balance;

@@ -36,7 +36,12 @@ struct EnergyBalance {
   double imbalance() const { return share(unaccounted); }
 };
 
+/// `start` is what there was and what has come in since, each at the time it did.
 EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energy& left,
                              double dissipated, double numerical);
+
+/// Energy that particles bring through an inflow: their own, and the work p m/rho of what pushes
+/// them, counted as elastic.
+Energy energy_brought_by(const Particles& particles, const Vec3d& gravity, const Tait& tait);
 
 }  // namespace sabo

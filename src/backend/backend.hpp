@@ -37,6 +37,9 @@ struct ArchivedFluid {
 /// Arrays of particles and the loops over them. The solver calls the sweeps in the order of the
 /// physics; a sweep reads what the ones before it wrote. Implementations differ in where the arrays
 /// live and how pairs are found, never in the formulas (src/physics).
+///
+/// Driven particles (Particles::driven) are neighbours to the others as all are, but keep the
+/// velocity and density that they were given, and move with it; their shear rate is given, too.
 class Backend {
  public:
   explicit Backend(const FlowModel& model) : model_(model) {}

@@ -28,10 +28,13 @@ void HostBackend::find_neighbours() {
     for (Vec3d& position : fluid_.position) position = model_.periodic.wrapped(position);
   list_pairs();
   list_bodies();
+  settle_driven();
+  list_driven_walls();
   const std::size_t all = fluid_.size() + boundary_.size();
   strain_.assign(all, {});
   stress_.assign(all, {});
   density_rate_.assign(all, 0);
+  hold_walls();
   acceleration_.assign(fluid_.size(), {});
   pressure_power_.assign(fluid_.size(), 0);
   wall_share_.assign(fluid_.size(), {});
@@ -82,9 +85,23 @@ void HostBackend::stress() {
       model_.rheology);
 }
 
+/// Sets the density of a boundary particle from fluid particles near it, if there are any.
+void HostBackend::extrapolate_to(std::size_t b, const std::vector<std::uint32_t>& near) {
+  const auto kernel = model_.kernel<double>();
+  const Vec3d force = model_.body_force(boundary_.position[b]);
+  double weight = 0;
+  double pressure = 0;
+  for (const std::uint32_t j : near) {
+    const Vec3d x = model_.periodic.nearest(boundary_.position[b] - fluid_.position[j]);
+    const double w = kernel.value(norm(x));
+    weight += w;
+    pressure += w * (fluid_.pressure[j] + fluid_.density[j] * dot(force, x));
+  }
+  if (weight > 0) boundary_.density[b] = model_.state.density(std::max(0.0, pressure / weight));
+}
+
 void HostBackend::extrapolate_to_boundary() {
   const PassClock clock(pass_times_, "start of the boundary");
-  const auto kernel = model_.kernel<double>();
   const Index walls = static_cast<Index>(boundary_.size());
 #pragma omp parallel num_threads(threads_)
   {
@@ -93,16 +110,7 @@ void HostBackend::extrapolate_to_boundary() {
     for (Index b = 0; b < walls; ++b) {
       near.clear();
       fluid_near(fluid_.size() + static_cast<std::size_t>(b), near);
-      const Vec3d force = model_.body_force(boundary_.position[b]);
-      double weight = 0;
-      double pressure = 0;
-      for (const std::uint32_t j : near) {
-        const Vec3d x = model_.periodic.nearest(boundary_.position[b] - fluid_.position[j]);
-        const double w = kernel.value(norm(x));
-        weight += w;
-        pressure += w * (fluid_.pressure[j] + fluid_.density[j] * dot(force, x));
-      }
-      if (weight > 0) boundary_.density[b] = model_.state.density(std::max(0.0, pressure / weight));
+      extrapolate_to(static_cast<std::size_t>(b), near);
     }
   }
 }
@@ -114,17 +122,56 @@ void HostBackend::add_central_force() {
   });
 }
 
+void HostBackend::hold_driven() {
+  for (const std::uint32_t i : driven_) {
+    acceleration_[i] = {};
+    density_rate_[i] = 0;
+  }
+  hold_walls();
+}
+
+// A wall that follows continuity pushes away what comes near it until there is a gap. Driven
+// particles do not give way: the wall under them would end up at a pressure that throws them up
+// once they are free. It has their pressure instead.
+void HostBackend::hold_walls() {
+  std::vector<std::uint32_t> near;
+  for (const std::uint32_t b : driven_walls_) {
+    near.clear();
+    fluid_near(fluid_.size() + b, near);
+    const auto is_driven = [&](std::uint32_t j) {
+      const Vec3d x = model_.periodic.nearest(boundary_.position[b] - fluid_.position[j]);
+      return fluid_.driven[j] != 0 && norm(x) < model_.kernel_radius();
+    };
+    if (!std::ranges::any_of(near, is_driven)) continue;
+    density_rate_[fluid_.size() + b] = 0;
+    extrapolate_to(b, near);
+  }
+}
+
+void HostBackend::list_driven_walls() {
+  driven_walls_.clear();
+  if (driven_.empty()) return;
+  std::vector<std::uint32_t> near;
+  for (std::uint32_t b = 0; b < boundary_.size(); ++b) {
+    near.clear();
+    fluid_near(fluid_.size() + b, near);
+    const auto is_driven = [&](std::uint32_t j) { return fluid_.driven[j] != 0; };
+    if (std::ranges::any_of(near, is_driven)) driven_walls_.push_back(b);
+  }
+}
+
 FlowExtremes HostBackend::extremes() const {
   const PassClock clock(pass_times_, "checks and sums");
   double speed2 = 0;
   double acceleration2 = 0;
   double viscosity = 0;
-  const Index count = static_cast<Index>(awake_.size());
+  const Index awake = static_cast<Index>(awake_.size());
+  const Index count = awake + static_cast<Index>(driven_.size());
 #pragma omp parallel for num_threads(threads_) if (count > worth_threads) schedule(static) \
     reduction(max                                                                          \
               : speed2, acceleration2, viscosity)
   for (Index k = 0; k < count; ++k) {
-    const std::size_t i = awake_[k];
+    const std::size_t i = k < awake ? awake_[k] : driven_[k - awake];
     // A particle in free flight interacts with nobody: it must not set everybody's step.
     if (!has_neighbours_[i]) continue;
     speed2 = std::max(speed2, dot(fluid_.velocity[i], fluid_.velocity[i]));
@@ -156,7 +203,8 @@ double HostBackend::dissipation() const {
   const PassClock clock(pass_times_, "checks and sums");
   // What the forces between particles take from the motion, less what pressure takes: viscosity
   // within the flow and at the walls, whatever the operator.
-  return blocked_sum(fluid_.size(), threads_, [&](std::size_t i) {
+  return blocked_sum(fluid_.size(), threads_, [&](std::size_t i) -> double {
+    if (fluid_.driven[i] != 0) return 0;
     const Vec3d between = acceleration_[i] - model_.body_force(fluid_.position[i]);
     const double power = dot(fluid_.velocity[i], between);
     return fluid_.mass[i] * (pressure_power_[i] - power);

@@ -34,7 +34,7 @@ class HostBackend : public Backend {
   void wall_resistance() override;
   void advance_state(double dt) override;
   void update_sleep() override;
-  std::size_t asleep_count() const override { return fluid_.size() - awake_.size(); }
+  std::size_t asleep_count() const override { return asleep_count_; }
   void set_sound_speed(double c0) override;
   const std::vector<Vec3d>& accelerations() const override { return acceleration_; }
   const std::vector<double>& density_rates() const override { return density_rate_; }
@@ -61,10 +61,17 @@ class HostBackend : public Backend {
   void list_awake();
   /// To the accelerations of the particles that are awake.
   void add_central_force();
+  /// Takes the rates of driven particles away: they keep their velocity and density.
+  void hold_driven();
   /// Density gradients that density diffusion leaves alone.
   void find_diffusion_background();
   /// Shear rate and effective viscosity of the fluid from its strain rate and pressure.
   void find_viscosity();
+  /// Pressure and effective viscosity of driven particles from their density and shear rate.
+  void settle_driven();
+  /// Gives the walls near driven particles their pressure.
+  void hold_walls();
+  void list_driven_walls();
 
   /// What bodies get: by the pair terms of momentum(), or by those of near_forces() and then by the
   /// wall law.
@@ -76,7 +83,10 @@ class HostBackend : public Backend {
   double yield_slope_;  ///< of the model's yield: a tangent that no particle has to take again
   Particles fluid_;
   Particles boundary_;
-  std::vector<std::uint32_t> awake_;  ///< fluid particles that take part in the sweeps, in order
+  std::vector<std::uint32_t> awake_;   ///< fluid particles that take part in the sweeps, in order
+  std::vector<std::uint32_t> driven_;  ///< fluid particles that an inflow moves, in order
+  std::vector<std::uint32_t> driven_walls_;  ///< boundary particles that may be near those
+  std::size_t asleep_count_ = 0;             ///< all others
 
   // Results of the last evaluation. Arrays over all particles hold the fluid first.
   std::vector<Sym3<double>> strain_;  ///< eps = grad v + (grad v)^T, 1/s
@@ -97,6 +107,7 @@ class HostBackend : public Backend {
   std::vector<double> diffusion_rate_;   ///< share of density diffusion in density_rate_
 
  private:
+  void extrapolate_to(std::size_t b, const std::vector<std::uint32_t>& near);
   bool is_calm(std::size_t i) const;
   bool touches_motion(std::size_t i, std::vector<std::uint32_t>& near) const;
   void shift_particles(double dt);

@@ -135,6 +135,8 @@ void HostBackend::advance_state(double dt) {
     fluid_.calm[i] = is_calm(i) ? fluid_.calm[i] + dt : 0;
     fluid_.pressure[i] = state.pressure(fluid_.density[i]);
   });
+  over_rows(driven_, threads_,
+            [&](std::size_t i) { fluid_.position[i] += dt * fluid_.velocity[i]; });
   numerical_heat_.density_diffusion +=
       sum_over_awake([&](std::size_t i) { return heat_of_diffusion_[i]; });
   numerical_heat_.density_hold += sum_over_awake([&](std::size_t i) { return heat_of_hold_[i]; });
@@ -154,6 +156,19 @@ void HostBackend::find_viscosity() {
         });
       },
       model_.rheology);
+}
+
+void HostBackend::settle_driven() {
+  const auto settle = [&](const auto& law) {
+    using Law = std::decay_t<decltype(law)>;
+    over_rows(driven_, threads_, [&](std::size_t i) {
+      const double p = model_.state.pressure(fluid_.density[i]);
+      const double gd = model_.strain_convention() * fluid_.shear_rate[i];
+      fluid_.pressure[i] = p;
+      fluid_.viscosity[i] = law.viscosity(shear_state<Law>(gd, p, model_.yield, yield_slope_));
+    });
+  };
+  std::visit(settle, model_.rheology);
 }
 
 void HostBackend::set_sound_speed(double c0) {

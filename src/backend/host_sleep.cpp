@@ -19,8 +19,14 @@ bool HostBackend::is_calm(std::size_t i) const {
 
 void HostBackend::list_awake() {
   awake_.clear();
-  for (std::size_t i = 0; i < fluid_.size(); ++i)
-    if (!is_asleep(i)) awake_.push_back(static_cast<std::uint32_t>(i));
+  driven_.clear();
+  for (std::size_t i = 0; i < fluid_.size(); ++i) {
+    if (fluid_.driven[i] != 0)
+      driven_.push_back(static_cast<std::uint32_t>(i));
+    else if (!is_asleep(i))
+      awake_.push_back(static_cast<std::uint32_t>(i));
+  }
+  asleep_count_ = fluid_.size() - awake_.size() - driven_.size();
 }
 
 bool HostBackend::touches_motion(std::size_t i, std::vector<std::uint32_t>& near) const {

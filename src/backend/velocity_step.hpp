@@ -12,8 +12,9 @@ namespace sabo {
 /// What the implicit step of velocity starts from; arrays by particle.
 struct VelocityProblem {
   Particles& fluid;
-  const std::vector<std::uint32_t>& rows;  ///< particles that move; the others are at rest
-  const std::vector<Vec3d>& acceleration;  ///< without viscosity, m/s2
+  const std::vector<std::uint32_t>& rows;    ///< particles that move; the others are at rest
+  const std::vector<std::uint32_t>& driven;  ///< or driven: they keep the velocity they have
+  const std::vector<Vec3d>& acceleration;    ///< without viscosity, m/s2
   const std::vector<WallShare>& wall;
   const std::vector<double>& wall_drag;  ///< kg/s
   double dt;
@@ -64,7 +65,13 @@ class VelocityStep {
       drag[i] = T(problem.wall_drag[i]);
       solver.diagonal[i] = mass[i] + T(dt) * (conductance_sum[i] + drag[i]);
     });
+    // A given velocity stands on the right-hand side; it is no unknown.
+    for (const std::uint32_t i : problem.driven) {
+      const Vec3d& v = fluid.velocity[i];
+      solver.direction[i] = {T(v.x), T(v.y), T(v.z)};
+    }
     multiply(none_, drag);
+    for (const std::uint32_t i : problem.driven) solver.direction[i] = {};
     over_rows(problem.rows, problem.threads, [&](std::size_t i) {
       const double share = problem.wall[i].share;
       const double carried = share > 0 ? dt * problem.wall_drag[i] / share : 0;

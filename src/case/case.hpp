@@ -6,6 +6,7 @@
 
 #include "base/describe.hpp"
 #include "case/body_case.hpp"
+#include "case/inflow_case.hpp"
 #include "case/load_case.hpp"
 #include "case/material_case.hpp"
 #include "case/measure_case.hpp"
@@ -27,6 +28,7 @@ struct Case {
   std::string note;  ///< shown wherever the results are shown, e.g. "generated terrain"
   TerrainCase terrain;
   ReleaseCase release;
+  std::vector<InflowCase> inflows;
   MaterialCase material;
   std::vector<StructureCase> structures;
   std::vector<BodyCase> bodies;
@@ -49,6 +51,7 @@ struct Case {
       note);
     v.table("terrain", "the ground", terrain);
     v.table("release", "the mass that starts to move", release);
+    v.tables("inflow", "discharges that come in through lines", inflows);
     v.table("material", "its density and law of flow", material);
     v.tables("structure", "works in the way", structures);
     v.tables("body", "solids that stand in the flow or hold it: boxes, tanks, meshes", bodies);

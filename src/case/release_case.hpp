@@ -27,6 +27,12 @@ struct ReleaseCase {
   double jitter = 0;
   int seed = 0;
 
+  /// Whether anything starts to move at once.
+  bool given() const {
+    return polygon.given() || !thickness_raster.empty() || !points.empty() || box ||
+           !dem_before.empty();
+  }
+
   template <class V>
   void describe(V&& v) {
     v(Key{"polygon", "",

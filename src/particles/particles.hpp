@@ -10,17 +10,18 @@ namespace sabo {
 
 // The one list of particle fields: X(type, name, unit, meaning, is_shown). Members, sizes,
 // permutations and the arrays of a frame come from it; a frame leaves out what is not shown.
-#define SABO_PARTICLE_FIELDS(X)                                                              \
-  X(Vec3d, position, "m", "position in the solver frame, z up", true)                        \
-  X(Vec3d, velocity, "m/s", "velocity", true)                                                \
-  X(double, density, "kg/m3", "density", true)                                               \
-  X(double, mass, "kg", "mass; constant in time", true)                                      \
-  X(std::uint32_t, id, "", "number that stays with the particle for the whole run", true)    \
-  X(double, pressure, "Pa", "pressure of the last evaluation; may be negative", true)        \
-  X(double, viscosity, "Pa s", "effective viscosity of the last evaluation", true)           \
-  X(double, shear_rate, "1/s", "engineering shear rate of the last evaluation", true)        \
-  X(std::uint16_t, body, "", "number of the body it is a part of; 0: ground or flow", false) \
-  X(double, calm, "s", "time since it last moved; 0 unless deposits may sleep", false)       \
+#define SABO_PARTICLE_FIELDS(X)                                                                    \
+  X(Vec3d, position, "m", "position in the solver frame, z up", true)                              \
+  X(Vec3d, velocity, "m/s", "velocity", true)                                                      \
+  X(double, density, "kg/m3", "density", true)                                                     \
+  X(double, mass, "kg", "mass; constant in time", true)                                            \
+  X(std::uint32_t, id, "", "number that stays with the particle for the whole run", true)          \
+  X(double, pressure, "Pa", "pressure of the last evaluation; may be negative", true)              \
+  X(double, viscosity, "Pa s", "effective viscosity of the last evaluation", true)                 \
+  X(double, shear_rate, "1/s", "engineering shear rate of the last evaluation", true)              \
+  X(std::uint16_t, body, "", "number of the body it is a part of; 0: ground or flow", false)       \
+  X(std::uint16_t, driven, "", "number of the inflow that moves it, from 1; 0: it is free", false) \
+  X(double, calm, "s", "time since it last moved; 0 unless deposits may sleep", false)             \
   X(Vec3d, drag, "m/s2", "acceleration by an implicit viscosity, guess of the next", false)
 
 /// Structure of arrays, all of equal length.

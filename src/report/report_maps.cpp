@@ -113,6 +113,7 @@ void add_map_key(Report& report) {
   std::vector<std::pair<MapLine::Kind, std::string>> entries;
   for (const auto& [kind, key] : {std::pair{MapLine::Kind::dam, "map.dam"},
                                   {MapLine::Kind::section, "map.section"},
+                                  {MapLine::Kind::inflow, "map.inflow"},
                                   {MapLine::Kind::path, "map.path"},
                                   {MapLine::Kind::zone, "map.zone"}}) {
     const MapLine::Kind wanted = kind;

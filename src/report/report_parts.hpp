@@ -24,6 +24,7 @@ struct Report {
 void add_summary(Report& report);
 void add_site(Report& report);
 void add_release(Report& report);
+void add_inflows(Report& report);
 void add_parameters(Report& report);
 void add_structures(Report& report);
 void add_maps(Report& report);

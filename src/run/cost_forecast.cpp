@@ -52,6 +52,51 @@ Particles part_of(const Particles& all, const Vec3d& centre, std::size_t count) 
   return part;
 }
 
+/// Particles that stand in front of an inflow, or as many as `most`, if it flows on as at its peak.
+Particles flow_before(const InflowPlan& inflow, const Surface& surface, std::size_t most) {
+  const SectionFlow peak = inflow.flow_at_peak();
+  const InflowSection& section = inflow.section;
+  Particles flow;
+  std::size_t before = 0;
+  for (int layer = 0; flow.size() < most && (layer == 0 || flow.size() > before); ++layer) {
+    before = flow.size();
+    for (const Vec3d& column : section.columns()) {
+      Vec3d place = column + (layer * inflow.spacing) * section.direction();
+      if (!surface.inside(place.x, place.y)) continue;
+      const double bed = section.bed(place);
+      for (double above = inflow.spacing / 2; column.z + above < peak.level;
+           above += inflow.spacing) {
+        place.z = bed + above;
+        flow.resize(flow.size() + 1);
+        flow.position.back() = place;
+        flow.velocity.back() = peak.speed * section.cosine() * section.direction();
+        flow.density.back() = inflow.density;
+        flow.mass.back() = inflow.density * inflow.particle_volume();
+        flow.id.back() = static_cast<std::uint32_t>(flow.size() - 1);
+      }
+    }
+  }
+  return flow;
+}
+
+Particles sample_of(const Case& c, const Scene& scene) {
+  if (scene.release.size() == 0)
+    return flow_before(scene.inflows.front(), *scene.surface,
+                       std::min(most_particles, scene.particles_until(c.run.duration)));
+  return scene.release.size() > most_particles
+             ? part_of(scene.release, scene.release_centre, most_particles)
+             : scene.release;
+}
+
+/// Particles of the flow, mean over the run: those of inflows come one by one.
+std::size_t mean_particles(const Case& c, const Scene& scene) {
+  constexpr int samples = 100;
+  double sum = 0;
+  for (int k = 0; k < samples; ++k)
+    sum += static_cast<double>(scene.particles_until(c.run.duration * (k + 0.5) / samples));
+  return static_cast<std::size_t>(std::max(1.0, sum / samples));
+}
+
 bool makes_lists(const PassTime& pass) {
   return pass.name == "neighbour search" || pass.name == "sort" || pass.name == "ground";
 }
@@ -152,13 +197,10 @@ double speed_bound(const Case& c, const Scene& scene) {
 }
 
 CostForecast measured_forecast(const Case& c, const Scene& scene) {
-  const bool is_large = scene.release.size() > most_particles;
   // Programs that wanted to run during the last minute; this one is not yet among them.
   double load = 0;
   if (getloadavg(&load, 1) != 1) load = 0;
-  Flow flow(
-      c, scene,
-      is_large ? part_of(scene.release, scene.release_centre, most_particles) : scene.release);
+  Flow flow(c, scene, sample_of(c, scene));
   const FlowModel& model = flow.model();
   const bool is_fast = c.numerics.method == Method::fast;
   CostOutlook outlook;
@@ -171,8 +213,8 @@ CostForecast measured_forecast(const Case& c, const Scene& scene) {
     outlook.sound_factor = c.numerics.sound_speed_factor;
   outlook.list_reach = flow.backend().list_radius() - model.kernel_radius();
   outlook.top_speed = speed_bound(c, scene);
-  outlook.fluid = scene.release.size();
-  outlook.latest_ground = expected_boundary(model, scene.release.size());
+  outlook.fluid = mean_particles(c, scene);
+  outlook.latest_ground = expected_boundary(model, scene.particles_until(c.run.duration));
   CostForecast result = forecast(measure(flow, c.run.duration), outlook);
   result.threads = model.threads > 0 ? model.threads : omp_get_max_threads();
   result.is_busy = load + result.threads > omp_get_num_procs() + 0.5;

@@ -29,7 +29,7 @@ struct CostOutlook {
   double sound_factor = 0;   ///< sound speed over the fastest speed, if it follows; else 0
   double list_reach = 0;     ///< way that a particle may go before the list is renewed, m
   double top_speed = 0;      ///< bound of the fastest speed, m/s; 0: nothing is known
-  std::size_t fluid = 0;     ///< particles of the release
+  std::size_t fluid = 0;     ///< particles of the flow, mean over the run
   double latest_ground = 0;  ///< boundary particles at the end
 };
 
@@ -60,7 +60,8 @@ CostForecast forecast(const CostSample& sample, const CostOutlook& outlook);
 double speed_bound(const Case& c, const Scene& scene);
 
 /// Steps the first moments of the case in memory, for a second or two or up to 2 % of the duration,
-/// and extrapolates. Of a large release only a part is stepped. Throws RunError if the flow fails.
+/// and extrapolates. Of a large release only a part is stepped; without one, what lies in front of
+/// the first inflow if it flows on as at its peak. Throws RunError if the flow fails.
 CostForecast measured_forecast(const Case& c, const Scene& scene);
 
 /// "about 6 min on 2 threads (3 to 12 min), 33 thousand steps of 9 ms"; on a busy machine also

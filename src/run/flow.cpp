@@ -1,5 +1,7 @@
 #include "run/flow.hpp"
 
+#include <cstdint>
+
 #include "solver/flow_model.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -20,10 +22,11 @@ GroundSettings ground_settings(const FlowModel& model) {
   return {model.spacing, model.wall_layers(), model.state.rho0};
 }
 
-Flow::Flow(const Case& c, const Scene& scene, const Particles& fluid)
-    : model_(flow_model(c.material, c.numerics, scene.release_depth)),
+Flow::Flow(const Case& c, const Scene& scene, const Particles& fluid,
+           const std::vector<InflowPlan>& inflows)
+    : model_(flow_model(c.material, c.numerics, scene.greatest_depth())),
       ground_(*scene.surface, scene.dams, ground_settings(model_), scene.bodies),
-      domain_(ground_),
+      domain_(ground_, inflows, static_cast<std::uint32_t>(fluid.size())),
       backend_(loaded_backend(c, fluid, model_)),
       stepper_(make_stepper(c.numerics, *backend_, &domain_)) {}
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "case/case.hpp"
 #include "run/scene.hpp"
@@ -16,9 +17,10 @@ GroundSettings ground_settings(const FlowModel& model);
 /// The flow of a case, ready to be stepped. `scene` must outlive it.
 class Flow {
  public:
-  Flow(const Case& c, const Scene& scene) : Flow(c, scene, scene.release) {}
-  /// The same with other particles, e.g. a part of the release.
-  Flow(const Case& c, const Scene& scene, const Particles& fluid);
+  Flow(const Case& c, const Scene& scene) : Flow(c, scene, scene.release, scene.inflows) {}
+  /// The same with other particles, e.g. a part of the release, and other inflows.
+  Flow(const Case& c, const Scene& scene, const Particles& fluid,
+       const std::vector<InflowPlan>& inflows = {});
 
   const FlowModel& model() const { return model_; }
   Domain& domain() { return domain_; }

@@ -43,6 +43,31 @@ std::string volumes(const RunFacts& facts, const Scene& scene, const SeriesRow& 
   return text;
 }
 
+/// "upper end: hydrograph 231 m3, entered 231 m3 (-0.02 %)".
+std::vector<std::string> inflow_lines(const Scene& scene, const std::vector<SeriesRow>& rows) {
+  std::vector<std::string> lines;
+  for (std::size_t k = 0; k < scene.inflows.size(); ++k) {
+    const InflowRow& row = rows.back().inflows[k];
+    const double share =
+        row.hydrograph > 0 ? 100 * (row.entered - row.hydrograph) / row.hydrograph : 0;
+    lines.push_back(fmt::format("Inflow {}: hydrograph {} m3, entered {} m3 ({:+.2f} %)",
+                                scene.inflows[k].name, amount_text(row.hydrograph),
+                                amount_text(row.entered), share + 0.0));
+  }
+  return lines;
+}
+
+std::string inflow_text(const InflowPlan& inflow, const InflowRow& row) {
+  const SectionFlow peak = inflow.flow_at_peak();
+  return fmt::format(
+      "\n[[inflow]]\ninflow = {}\nhydrograph = {:.9g}\nentered = {:.9g}\nwhole_hydrograph = "
+      "{:.9g}\npeak_discharge = {:.6g}\npeak_time = {:.6g}\npeak_depth = {:.4f}\npeak_speed = "
+      "{:.4f}\npeak_level = {:.4f}\n",
+      toml_string(inflow.name), row.hydrograph, row.entered, inflow.hydrograph.volume(),
+      inflow.hydrograph.discharge[inflow.hydrograph.peak()],
+      inflow.hydrograph.time[inflow.hydrograph.peak()], peak.depth, peak.speed, peak.level);
+}
+
 std::string zone_text(const ZoneCase& c, const ZoneDepth& zone) {
   return fmt::format(
       "\n[[zones]]\nzone = {}\nmean_wet = {:.4f}\nmean_all = {:.4f}\ngreatest = {:.4f}\n"
@@ -53,7 +78,7 @@ std::string zone_text(const ZoneCase& c, const ZoneDepth& zone) {
 /// Of the whole run; `rows` are not empty.
 EnergyBalance balance_of(const std::vector<SeriesRow>& rows) {
   const SeriesRow& last = rows.back();
-  return energy_balance(rows.front().energy, last.energy, last.left, last.dissipated,
+  return energy_balance(rows.front().energy + last.entered, last.energy, last.left, last.dissipated,
                         last.numerical.total());
 }
 
@@ -143,6 +168,9 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
     for (std::size_t k = 0; k < rows.back().volumes.size(); ++k)
       text += "\n[[volumes]]\n" + volumes(facts, scene, rows.back(), k);
   if (!rows.empty())
+    for (std::size_t k = 0; k < scene.inflows.size(); ++k)
+      text += inflow_text(scene.inflows[k], rows.back().inflows[k]);
+  if (!rows.empty())
     for (std::size_t k = 0; k < c.zones.size(); ++k)
       text += zone_text(c.zones[k], rows.back().zones[k]);
   text += loads_toml(facts.loads, c.loads);
@@ -175,6 +203,8 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
   if (facts.end == RunEnd::finished && !facts.motion.is_at_rest)
     lines.push_back("Not at rest at the end: " + motion_text(facts.motion, c.run));
   if (!c.note.empty()) lines.push_back("Note: " + c.note);
+  if (!rows.empty())
+    for (std::string& line : inflow_lines(scene, rows)) lines.push_back(std::move(line));
   for (const PageTable& table : result_tables(facts, c, scene, rows))
     for (const std::string& line : text_of(table)) lines.push_back(line);
   lines.push_back(fmt::format("Map volume {} m3, particle volume {} m3, difference {:.4f} %",
@@ -250,6 +280,9 @@ IndexPage index_page(const RunFacts& facts, const Case& c, const Scene& scene,
                       {"Starts", fmt::format("with the state of {} at {:.1f} s",
                                              facts.branched_from, facts.branched_at)});
   if (!facts.reason.empty()) page.facts.insert(page.facts.begin(), {"Stopped", facts.reason});
+  if (!rows.empty())
+    for (std::string& line : inflow_lines(scene, rows))
+      page.facts.push_back({"Inflow", line.substr(line.find(' ') + 1)});
   page.warning = resolution_warning(facts.resolution);
   page.tables = result_tables(facts, c, scene, rows);
   page.details = {parameter_table(c), pass_table(facts.passes)};

@@ -21,7 +21,7 @@ struct RunFacts {
   std::string started;  ///< UTC, ISO 8601
   SolverTotals solver;
   std::vector<PassShare> passes;
-  std::size_t particles = 0;           ///< released
+  std::size_t particles = 0;           ///< released and come in
   std::size_t boundary_particles = 0;  ///< at the end
   double raster_volume = 0;            ///< sum over dep.tif, m3
   double particle_volume = 0;          ///< of the particles in the domain, m3

@@ -34,6 +34,19 @@ void add_dam(const CheckDam& dam, std::vector<MapLine>& lines) {
   }
 }
 
+/// Which way an inflow goes, from the middle of its columns.
+Polyline arrow_of(const InflowPlan& inflow) {
+  const std::vector<Vec3d>& columns = inflow.section.columns();
+  const double width = inflow.section.column_width() * static_cast<double>(columns.size());
+  const double size = std::max(inflow.reach, 0.35 * width);
+  const Vec3d& ahead = inflow.section.direction();
+  const Vec3d aside{-ahead.y, ahead.x, 0};
+  const Vec3d foot = columns[columns.size() / 2];
+  const Vec3d tip = foot + size * ahead;
+  const auto barb = [&](double side) { return tip - 0.3 * size * (ahead + side * aside); };
+  return {{foot, tip, barb(0.7), tip, barb(-0.7)}, false};
+}
+
 }  // namespace
 
 void add_outlines(MapLine::Kind kind, const std::string& label,
@@ -72,6 +85,10 @@ std::vector<MapLine> overlay(const Scene& scene, DamLine dams) {
                                        : scene.buildings[k - others].outline;
     add_outlines(MapLine::Kind::dam, label_of_body(scene, k), {outline}, lines);
     lines[first].is_filled = k >= others && outline.rings.size() == 1;
+  }
+  for (const InflowPlan& inflow : scene.inflows) {
+    lines.push_back({MapLine::Kind::inflow, inflow.name, inflow.line});
+    if (dams == DamLine::standing) lines.push_back({MapLine::Kind::inflow, "", arrow_of(inflow)});
   }
   for (const NamedSection& section : scene.sections)
     lines.push_back({MapLine::Kind::section, section.name, section.line});

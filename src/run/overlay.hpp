@@ -11,7 +11,8 @@ namespace sabo {
 /// How a dam is drawn: as the stretches that stand, or as all of its axis.
 enum class DamLine { standing, whole };
 
-/// Path, zones, dams, bodies and sections of a scene as lines over a map, in the solver frame.
+/// Path, zones, dams, bodies, inflows and sections of a scene as lines over a map, in the solver
+/// frame. An inflow has an arrow, too, unless dams are whole.
 std::vector<MapLine> overlay(const Scene& scene, DamLine dams = DamLine::standing);
 
 /// What pictures call a body of the scene; of many buildings the first of each structure only has

@@ -18,6 +18,7 @@
 #include "physics/viscosity_of_concentration.hpp"
 #include "run/amount_text.hpp"
 #include "run/memory_estimate.hpp"
+#include "run/preview_inflows.hpp"
 #include "run/preview_lines.hpp"
 #include "run/preview_structures.hpp"
 #include "solver/flow_model.hpp"
@@ -94,7 +95,7 @@ double release_slope(const Scene& scene) {
   return slope / static_cast<double>(scene.release.size());
 }
 
-void tell_release(Preview& preview, const Case& c, const Scene& scene, const FlowModel& model) {
+void tell_release(Preview& preview, const Case& c, const Scene& scene) {
   const double dp = c.numerics.spacing;
   const double layers = scene.release_depth / dp;
   preview.line("Release",
@@ -104,10 +105,8 @@ void tell_release(Preview& preview, const Case& c, const Scene& scene, const Flo
                            scene.frame.origin_y + scene.release_centre.y));
   preview.line("Release", fmt::format("on a slope of {:.1f} deg in the mean",
                                       degrees_of(release_slope(scene))));
-  preview.line("Release", fmt::format("{} particles at {:g} m: {:.1f} in the greatest depth; the "
-                                      "ground near the flow takes up to about {}",
-                                      scene.release.size(), dp, layers,
-                                      count_text(expected_boundary(model, scene.release.size()))));
+  preview.line("Release", fmt::format("{} particles at {:g} m: {:.1f} in the greatest depth",
+                                      scene.release.size(), dp, layers));
   if (scene.release_left_out > 0) {
     preview.warn(fmt::format("{} m3 of the release would stand inside structures and are left out",
                              amount_text(scene.release_left_out)));
@@ -207,18 +206,23 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
 }  // namespace
 
 std::string preview_text(const Case& c, const Scene& scene, const std::string& time) {
-  const FlowModel model = flow_model(c.material, c.numerics, scene.release_depth);
+  const FlowModel model = flow_model(c.material, c.numerics, scene.greatest_depth());
+  const std::size_t particles = scene.particles_until(c.run.duration);
   Preview preview;
   if (!c.title.empty()) preview.line("Case", c.title);
   if (!c.note.empty()) preview.line("Case", c.note);
   tell_terrain(preview, scene);
   tell_edits(preview, scene);
-  tell_release(preview, c, scene, model);
+  if (scene.release.size() > 0) tell_release(preview, c, scene);
+  tell_inflows(preview, c, scene);
+  preview.line("Particles",
+               fmt::format("{} of the flow; the ground near it takes up to about {}", particles,
+                           count_text(expected_boundary(model, particles))));
   tell_structures(preview, c, scene, model);
   tell_lines(preview, c, scene);
   tell_numerics(preview, c, model);
   preview.line("Memory", fmt::format("about {:.0f} MB",
-                                     expected_memory(model, c.numerics.method, scene.release.size(),
+                                     expected_memory(model, c.numerics.method, particles,
                                                      scene.surface->elevation().grid.size()) /
                                          1e6));
   if (!time.empty()) preview.line("Time", time);

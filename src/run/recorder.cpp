@@ -24,6 +24,10 @@ std::vector<std::string> volumes_header(const Scene& scene) {
     header.push_back(dam.name + " trapped [m3]");
     header.push_back(dam.name + " beyond [m3]");
   }
+  for (const InflowPlan& inflow : scene.inflows) {
+    header.push_back(inflow.name + " entered [m3]");
+    header.push_back(inflow.name + " hydrograph [m3]");
+  }
   return header;
 }
 
@@ -36,6 +40,31 @@ std::vector<std::string> zones_header(const Scene& scene) {
     header.push_back(zone.name + " volume [m3]");
   }
   return header;
+}
+
+std::vector<std::string> energy_header(const Scene& scene) {
+  std::vector<std::string> header{"time [s]",      "mass [kg]",       "kinetic [J]",
+                                  "potential [J]", "elastic [J]",     "dissipated [J]",
+                                  "numerical [J]", "left the map [J]"};
+  if (!scene.inflows.empty()) header.push_back("brought by inflows [J]");
+  return header;
+}
+
+/// When the last of the mass starts to move, s.
+double last_start(const Scene& scene) {
+  double last = 0;
+  for (const InflowPlan& inflow : scene.inflows) last = std::max(last, inflow.hydrograph.end());
+  return last;
+}
+
+/// Particles that inflows move.
+Particles driven_part(const Particles& fluid) {
+  std::vector<std::uint32_t> rows;
+  for (std::uint32_t i = 0; i < fluid.size(); ++i)
+    if (fluid.driven[i] != 0) rows.push_back(i);
+  Particles driven;
+  driven.append(fluid, rows);
+  return driven;
 }
 
 std::vector<VolumeLedger> make_ledgers(const Case& c, const Scene& scene) {
@@ -59,7 +88,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       fillings_(scene, folder),
       loads_(c.loads, scene, model, folder),
       front_(scene.path),
-      rest_(rest_limits(c.run), c.numerics.spacing, c.material.density),
+      rest_(rest_limits(c.run), c.numerics.spacing, c.material.density, last_start(scene)),
       maps_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
       sampling_distance_(std::max({scene.surface->elevation().grid.dx,
                                    scene.surface->elevation().grid.dy, c.numerics.spacing})),
@@ -71,9 +100,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       discharge_csv_(folder.series_file("discharge.csv"), discharge_header(scene)),
       volumes_csv_(folder.series_file("volumes.csv"), volumes_header(scene)),
       zones_csv_(folder.series_file("zones.csv"), zones_header(scene)),
-      energy_csv_(folder.series_file("energy.csv"),
-                  {"time [s]", "mass [kg]", "kinetic [J]", "potential [J]", "elastic [J]",
-                   "dissipated [J]", "numerical [J]", "left the map [J]"}),
+      energy_csv_(folder.series_file("energy.csv"), energy_header(scene)),
       rest_csv_(folder.series_file("rest.csv"),
                 {"time [s]", "moving volume [m3]", "kinetic energy over its peak",
                  "creep [spacings/min]"}),
@@ -83,6 +110,8 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
            "highest density ratio", "fluid [count]", "boundary [count]", "sound speed [m/s]",
            "viscous iterations [count]", "asleep [count]"}) {
   for (const NamedSection& section : scene.sections) sections_.emplace_back(section.line);
+  for (const InflowPlan& inflow : scene.inflows) inflow_plans_.push_back(&inflow);
+  inflows_.resize(inflow_plans_.size());
   for (const NamedZone& zone : scene.zones)
     zones_.emplace_back(scene.surface->elevation(), zone.polygons);
   tracks_.advance(scene.release);
@@ -104,6 +133,15 @@ void Recorder::start(double time, const Particles& fluid, const Particles& relea
   }
   maps_.update(time, fluid);
   rest_.update(time, fluid);
+}
+
+void Recorder::after_entry(Domain& domain, const Tait& state) {
+  const Particles entered = domain.take_entered();
+  freed_ = freed_ + energy_brought_by(domain.take_freed(), model_.gravity, state);
+  for (std::size_t k = 0; k < inflows_.size(); ++k)
+    inflows_[k].entered = domain.inflows()[k].entered();
+  if (entered.size() == 0) return;
+  for (VolumeLedger& ledger : ledgers_) ledger.release(entered);
 }
 
 void Recorder::after_step(const Stepper& stepper, const StepReport& report, Backend& backend) {
@@ -141,6 +179,8 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   if (has_dynamic_walls_)
     row.energy.elastic +=
         energy_of(backend.boundary(), model_.gravity, backend.model().state).elastic;
+  row.entered =
+      freed_ + energy_of(driven_part(backend.fluid()), model_.gravity, backend.model().state);
   row.left = left_;
   row.dissipated = stepper.dissipated();
   row.numerical = backend.numerical_heat();
@@ -162,6 +202,12 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
     for (const VolumeRow& at_dam : row.volumes)
       volumes.insert(volumes.end(), {at_dam.trapped, at_dam.beyond});
 
+  for (std::size_t k = 0; k < inflows_.size(); ++k) {
+    inflows_[k].hydrograph = inflow_plans_[k]->hydrograph.volume_until(row.time);
+    volumes.insert(volumes.end(), {inflows_[k].entered, inflows_[k].hydrograph});
+  }
+  row.inflows = inflows_;
+
   front_csv_.append({row.time, row.front.position, row.front.displacement, row.front.velocity});
   discharge_csv_.append(discharge);
   if (has_places_) columns_.update(backend.fluid());
@@ -171,8 +217,11 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   row.basins = fillings_.write_row(row.time, columns_);
   row.loads = loads_.write_row(row.time, stepper, backend, columns_);
   volumes_csv_.append(volumes);
-  energy_csv_.append({row.time, row.energy.mass, row.energy.kinetic, row.energy.potential,
-                      row.energy.elastic, row.dissipated, row.numerical.total(), row.left.total()});
+  std::vector<double> energies{
+      row.time,           row.energy.mass, row.energy.kinetic,    row.energy.potential,
+      row.energy.elastic, row.dissipated,  row.numerical.total(), row.left.total()};
+  if (!inflows_.empty()) energies.push_back(row.entered.total());
+  energy_csv_.append(energies);
   rest_csv_.append({row.time, row.motion.moving_volume, row.motion.energy_share, row.motion.creep});
   write_solver_row(stepper, report, backend);
   rows_.push_back(std::move(row));

@@ -23,6 +23,17 @@
 
 namespace sabo {
 
+/// What has come through an inflow since the start.
+struct InflowRow {
+  double entered = 0;     ///< m3
+  double hydrograph = 0;  ///< m3 that its hydrograph has brought by then
+
+  template <class Archive>
+  void archive(Archive& a) {
+    a(entered, hydrograph);
+  }
+};
+
 /// One row of the series, kept for the pictures; discharge has one entry per section.
 struct SeriesRow {
   double time = 0;
@@ -32,7 +43,9 @@ struct SeriesRow {
   std::vector<ZoneDepth> zones;    ///< one entry per zone
   std::vector<BasinState> basins;  ///< one entry per check dam
   std::vector<LoadRow> loads;      ///< one entry per structure, then per body
+  std::vector<InflowRow> inflows;  ///< one entry per inflow
   Energy energy;
+  Energy entered;         ///< brought by inflows so far
   Energy left;            ///< of what has left the map, at the time it did
   double dissipated = 0;  ///< J
   NumericalHeat numerical;
@@ -40,8 +53,8 @@ struct SeriesRow {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(time, front, discharge, volumes, zones, basins, loads, energy, left, dissipated, numerical,
-      motion);
+    a(time, front, discharge, volumes, zones, basins, loads, inflows, energy, entered, left,
+      dissipated, numerical, motion);
   }
 };
 
@@ -53,6 +66,9 @@ class Recorder {
   /// To be called first. A flow that starts on its way counts as if its particles had come straight
   /// from where they were released, and those that it lacks had left the map.
   void start(double time, const Particles& fluid, const Particles& release);
+
+  /// Takes in what has come through inflows; to be called after every step, before after_step().
+  void after_entry(Domain& domain, const Tait& state);
 
   /// To be called after every step: counts crossings and samples the maps each time the fastest
   /// particle has moved by a cell or a spacing, whichever is larger.
@@ -80,7 +96,8 @@ class Recorder {
     a.fixed(sections_);
     a.fixed(ledgers_);
     a(section_states_, gauges_, fillings_, loads_, front_, rest_, maps_, travelled_, put_back_seen_,
-      left_, rows_);
+      left_, freed_, rows_);
+    a.fixed(inflows_);
     a(front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_, solver_csv_);
   }
 
@@ -113,6 +130,9 @@ class Recorder {
   bool has_dams_;
   bool has_places_;  // zones, gauges or structures, which look at the columns
   bool has_dynamic_walls_;
+  std::vector<InflowRow> inflows_;
+  std::vector<const InflowPlan*> inflow_plans_;
+  Energy freed_;  // brought by what inflows have set free, at the time they did
   Energy left_;
   std::vector<SeriesRow> rows_;
   CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_,

@@ -13,6 +13,7 @@
 #include "base/error.hpp"
 #include "io/gis/read_vectors.hpp"
 #include "run/scene_bodies.hpp"
+#include "run/scene_inflows.hpp"
 #include "run/scene_lines.hpp"
 #include "run/scene_release.hpp"
 #include "run/scene_structures.hpp"
@@ -109,6 +110,18 @@ bool collected(Faults& faults, const std::function<void()>& part) {
   }
 }
 
+double Scene::greatest_depth() const {
+  double depth = release_depth;
+  for (const InflowPlan& inflow : inflows) depth = std::max(depth, inflow.highest_flow().depth);
+  return depth;
+}
+
+std::size_t Scene::particles_until(double time) const {
+  std::size_t count = release.size();
+  for (const InflowPlan& inflow : inflows) count += inflow.particles_until(time);
+  return count;
+}
+
 Scene make_scene(const Case& c, Faults& faults) {
   Scene scene;
   read_terrain(c, scene, faults);
@@ -119,9 +132,13 @@ Scene make_scene(const Case& c, Faults& faults) {
   read_sections(c, scene, faults);
   read_gauges(c, scene, faults);
   read_zones(c, scene, faults);
+  const bool has_inflows = read_inflows(c, scene, faults);
   const bool has_release =
       (c.release.dem_before.empty() || scene.lost) &&  // else its fault is known already
-      collected(faults, [&] { read_release(c, scene); });
+      has_inflows && collected(faults, [&] {
+        if (c.release.given()) read_release(c, scene);
+        check_inflow_places(scene);
+      });
   collected(faults, [&] {
     if (c.path.line.given()) {
       scene.path = read_line(c.path.line, "path.line", scene);

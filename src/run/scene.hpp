@@ -10,6 +10,7 @@
 #include "base/faults.hpp"
 #include "case/case.hpp"
 #include "particles/particles.hpp"
+#include "solver/inflow.hpp"
 #include "terrain/body.hpp"
 #include "terrain/building.hpp"
 #include "terrain/check_dam.hpp"
@@ -65,16 +66,21 @@ struct Scene {
   std::vector<NamedZone> zones;
   Polyline path;                 ///< along the valley
   bool path_is_descent = false;  ///< not given, but found by steepest descent
-  Particles release;             ///< at rest, at the density of a column at rest
-  double release_volume = 0;     ///< m3
-  double release_left_out = 0;   ///< m3 that would stand inside structures and bodies
-  double release_depth = 0;      ///< greatest, m
-  Vec3d release_centre;
+  std::vector<InflowPlan> inflows;
+  Particles release;            ///< at rest, at the density of a column at rest; may be empty
+  double release_volume = 0;    ///< m3
+  double release_left_out = 0;  ///< m3 that would stand inside structures and bodies
+  double release_depth = 0;     ///< greatest, m
+  Vec3d release_centre;         ///< without a release, where the largest inflow comes in
 
   /// Those that hold back the flow, so that it is asked what they trap.
   std::span<const CheckDam> check_dams() const {
     return std::span(dams).first(dams.size() - deflection_walls);
   }
+  /// Greatest depth of the release and of the inflows at their line, m.
+  double greatest_depth() const;
+  /// Particles of the release, and of the inflows until a time (s).
+  std::size_t particles_until(double time) const;
 };
 
 /// Reads everything a case names. Faults are added, all that can be found at once; the scene is of

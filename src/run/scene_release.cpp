@@ -85,7 +85,7 @@ void make_level_hydrostatic(const Case& c, Scene& scene) {
   const auto lowest = std::min_element(release.position.begin(), release.position.end(),
                                        [](const Vec3d& a, const Vec3d& b) { return a.z < b.z; });
   scene.release_depth = top - lowest->z + c.numerics.spacing / 2;
-  const Tait state = flow_model(c.material, c.numerics, scene.release_depth).state;
+  const Tait state = flow_model(c.material, c.numerics, scene.greatest_depth()).state;
   for (std::size_t i = 0; i < release.size(); ++i)
     release.density[i] =
         state.density(state.rho0 * c.numerics.gravity * (top - release.position[i].z));
@@ -108,7 +108,7 @@ void make_hydrostatic(const Case& c, Scene& scene) {
     scene.release_depth = std::max(
         scene.release_depth, top.at(column_of(x)) + 0.5 * dp - scene.surface->height(x.x, x.y));
 
-  const Tait state = flow_model(c.material, c.numerics, scene.release_depth).state;
+  const Tait state = flow_model(c.material, c.numerics, scene.greatest_depth()).state;
   for (std::size_t i = 0; i < release.size(); ++i) {
     const Vec3d& x = release.position[i];
     const double depth = top.at(column_of(x)) + 0.5 * dp - x.z;
@@ -148,6 +148,7 @@ void leave_out_of_solids(const Case& c, Scene& scene) {
 
 void summarise(const Case& c, Scene& scene) {
   double mass = 0;
+  scene.release_centre = {};
   for (std::size_t i = 0; i < scene.release.size(); ++i) {
     mass += scene.release.mass[i];
     scene.release_centre += scene.release.mass[i] * scene.release.position[i];

@@ -42,7 +42,7 @@ class Simulation {
       : case_(c),
         scene_(scene),
         options_(options),
-        flow_(c, scene, start.fluid),
+        flow_(c, scene, start.fluid, scene.inflows),
         folder_(folder),
         recorder_(c, scene, flow_.model(), folder_),
         frames_(scene, folder_),
@@ -58,7 +58,6 @@ class Simulation {
       facts_.branched_at = start.time;
     }
     facts_.started = utc_now();
-    facts_.particles = scene_.release.size();
     facts_.sound_speed = flow_.model().state.c0;
   }
 
@@ -92,10 +91,13 @@ class Simulation {
     recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
     while (true) {
       const double time = flow_.stepper().time();
-      const bool is_empty = flow_.backend().fluid().size() == 0;
+      const bool is_empty =
+          flow_.backend().fluid().size() == 0 && flow_.domain().inflows_are_over(time);
       const bool is_at_rest = case_.run.stop_at_rest && recorder_.motion().is_at_rest;
       const bool is_over = time >= duration || is_empty || is_at_rest;
-      const bool is_stopped = options_.stop && *options_.stop;
+      // An inflow that has just changed the particles is left a step, so that it can be resumed.
+      const bool is_stopped =
+          options_.stop && *options_.stop && !flow_.stepper().neighbours_are_due();
       // Before the last row and frame, which would not be there had the run not ended here.
       if (is_over || is_stopped) write_checkpoint(false);
       if (time >= row_due_ || is_over || is_stopped) {
@@ -115,6 +117,7 @@ class Simulation {
 
       report_ = flow_.stepper().step(duration - time);
       count_step();
+      recorder_.after_entry(flow_.domain(), flow_.backend().model().state);
       recorder_.after_step(flow_.stepper(), report_, flow_.backend());
       recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
       tell_progress();
@@ -158,7 +161,7 @@ class Simulation {
 
   /// A run goes on without one that cannot be written.
   void write_checkpoint(bool is_kept) {
-    if (case_.run.checkpoint_interval == 0) return;
+    if (case_.run.checkpoint_interval == 0 || flow_.stepper().neighbours_are_due()) return;
     head_.time = flow_.stepper().time();
     head_.steps = flow_.stepper().steps();
     try {
@@ -246,6 +249,8 @@ class Simulation {
   }
 
   void fill_facts(const RunMaps& maps) {
+    facts_.particles = scene_.release.size();
+    for (const Inflow& inflow : flow_.domain().inflows()) facts_.particles += inflow.count();
     facts_.solver.wall = wall();
     facts_.solver.simulated = flow_.stepper().time();
     facts_.solver.steps = flow_.stepper().steps();

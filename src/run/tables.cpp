@@ -21,7 +21,8 @@ PageTable volumes_at(const Case& c, const Scene& scene, const SeriesRow& row,
   table.caption = fmt::format("Volumes at {:.1f} s [m3]", row.time);
   if (has_dam) table.caption += ", " + scene.dams[dam].name;
   table.header = {"", "this run"};
-  table.rows = {{"released", volume(volumes.released)}};
+  const bool has_inflows = !scene.inflows.empty();
+  table.rows = {{has_inflows ? "released and come in" : "released", volume(volumes.released)}};
   if (has_dam) {
     table.rows.push_back({"trapped by the dam", volume(volumes.trapped)});
     table.rows.push_back({"beyond the dam", volume(volumes.beyond)});

@@ -77,7 +77,7 @@ ViewWriter::ViewWriter(fs::path folder, const Case& c, const Scene& scene)
   fs::remove_all(folder_, error);
   fs::create_directories(folder_, error);
   if (error) throw RunError("cannot make " + folder_.string() + ": " + error.message());
-  one_of_ = (scene.release.size() + most_particles - 1) / most_particles;
+  one_of_ = (scene.particles_until(c.run.duration) + most_particles - 1) / most_particles;
   one_of_ = std::max<std::size_t>(one_of_, 1);
 }
 

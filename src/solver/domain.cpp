@@ -14,6 +14,23 @@ constexpr double tolerated_depth = 0.1;
 
 }  // namespace
 
+Domain::Domain(Ground& ground, const std::vector<InflowPlan>& inflows, std::uint32_t next_id)
+    : ground_(ground), next_id_(next_id) {
+  for (const InflowPlan& plan : inflows)
+    inflows_.emplace_back(plan, static_cast<std::uint16_t>(inflows_.size() + 1));
+}
+
+bool Domain::advance_inflows(Particles& fluid, const Tait& state, double time, double dt) {
+  bool changes = false;
+  for (Inflow& inflow : inflows_) {
+    const Inflow::Change change = inflow.advance(fluid, state, time, dt, next_id_);
+    entered_.append(fluid, change.entered);
+    freed_.append(fluid, change.freed);
+    changes = changes || !change.entered.empty() || !change.freed.empty();
+  }
+  return changes;
+}
+
 void Domain::update(Particles& fluid, Particles& boundary, double reach) {
   std::vector<std::uint32_t> staying;
   std::vector<std::uint32_t> leaving;
@@ -22,7 +39,7 @@ void Domain::update(Particles& fluid, Particles& boundary, double reach) {
     const Vec3d& x = fluid.position[i];
     const bool stays = ground_.surface().inside(x.x, x.y);
     (stays ? staying : leaving).push_back(static_cast<std::uint32_t>(i));
-    if (stays && ground_.is_solid(x)) put_back(fluid, i);
+    if (stays && fluid.driven[i] == 0 && ground_.is_solid(x)) put_back(fluid, i);
   }
   if (!leaving.empty()) {
     departed_.append(fluid, leaving);
@@ -42,5 +59,9 @@ void Domain::put_back(Particles& fluid, std::size_t i) {
 }
 
 Particles Domain::take_departed() { return std::exchange(departed_, {}); }
+
+Particles Domain::take_entered() { return std::exchange(entered_, {}); }
+
+Particles Domain::take_freed() { return std::exchange(freed_, {}); }
 
 }  // namespace sabo

@@ -1,24 +1,45 @@
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
+#include <cstdint>
+#include <vector>
 
 #include "particles/particles.hpp"
+#include "physics/equation_of_state.hpp"
+#include "solver/inflow.hpp"
 #include "terrain/ground.hpp"
 
 namespace sabo {
 
-/// The world around the flow: ground under it, an edge where particles leave.
+/// The world around the flow: ground under it, an edge where particles leave, inflows through which
+/// they come.
 class Domain {
  public:
   explicit Domain(Ground& ground) : ground_(ground) {}
+  /// Inflows number their particles from `next_id` on; the plans, if any, must outlive the domain.
+  Domain(Ground& ground, const std::vector<InflowPlan>& inflows, std::uint32_t next_id);
 
   /// Takes particles that left the DEM out of `fluid`, puts those found in the ground, a dam or
   /// a body, by more than a tenth of a spacing, back outside (both are counted) and makes the
   /// ground within `reach` (m) of the rest. Called each time the neighbour list is renewed.
   void update(Particles& fluid, Particles& boundary, double reach);
 
+  /// Lets inflows follow a step of `dt` (s) to `time` (s), see Inflow. Returns whether particles
+  /// have come or were set free: then neighbours must be renewed before the next step.
+  bool advance_inflows(Particles& fluid, const Tait& state, double time, double dt);
+
   /// Particles that left since the last call.
   Particles take_departed();
+  /// Particles that came through inflows since the last call.
+  Particles take_entered();
+  /// Those of them that were set free since the last call, as they were then.
+  Particles take_freed();
+  const std::vector<Inflow>& inflows() const { return inflows_; }
+  /// Whether nothing comes any more.
+  bool inflows_are_over(double time) const {
+    return std::ranges::all_of(inflows_, [time](const Inflow& i) { return i.is_over(time); });
+  }
   /// How often a particle was found in a solid since the start.
   std::size_t put_back_count() const { return put_back_count_; }
   const Ground& ground() const { return ground_; }
@@ -26,14 +47,18 @@ class Domain {
   /// With the ground.
   template <class Archive>
   void archive(Archive& a) {
-    a(ground_, departed_, put_back_count_);
+    a(ground_, departed_, put_back_count_, next_id_, entered_, freed_);
+    a.fixed(inflows_);
   }
 
  private:
   void put_back(Particles& fluid, std::size_t i);
 
   Ground& ground_;
+  std::vector<Inflow> inflows_;
+  std::uint32_t next_id_ = 0;
   Particles departed_;
+  Particles entered_, freed_;
   std::size_t put_back_count_ = 0;
 };
 

@@ -8,12 +8,16 @@
 namespace sabo {
 
 StepReport Stepper::step(double longest) {
+  if (particles_changed_) renew_neighbours();
   const StepReport report = advance(longest);
   time_ += report.dt;
   ++steps_;
   const std::vector<BodyLoad>& loads = backend_.body_loads();
   body_impulses_.resize(loads.size());
   for (std::size_t k = 0; k < loads.size(); ++k) body_impulses_[k] += report.dt * loads[k];
+  if (domain_ &&
+      domain_->advance_inflows(backend_.fluid(), backend_.model().state, time_, report.dt))
+    particles_changed_ = true;
   check_health();
   return report;
 }
@@ -28,6 +32,7 @@ void Stepper::renew_neighbours() {
     domain_->update(backend_.fluid(), backend_.boundary(), backend_.list_radius());
   }
   backend_.find_neighbours();
+  particles_changed_ = false;
 }
 
 void Stepper::check_health() const {

@@ -52,7 +52,11 @@ class Stepper {
   /// N s and N m s. Its difference over an interval by the interval is the mean load.
   const std::vector<BodyLoad>& body_impulses() const { return body_impulses_; }
 
-  /// Without the backend and the domain.
+  /// Whether inflows have changed the particles since neighbours were found: no state to go on
+  /// from.
+  bool neighbours_are_due() const { return particles_changed_; }
+
+  /// Without the backend and the domain; while no neighbours are due.
   template <class Archive>
   void archive(Archive& a) {
     a(time_, steps_, dissipated_, body_impulses_);
@@ -71,6 +75,7 @@ class Stepper {
   void check_health() const;
 
   Domain* domain_;
+  bool particles_changed_ = false;  // by inflows, since the neighbours were found
   double time_ = 0;
   std::size_t steps_ = 0;
   std::vector<BodyLoad> body_impulses_;

@@ -24,7 +24,9 @@ system is reprojected to that of the DEM; a raster in another one is refused.
 with it, `sabo check CASE --defaults` prints it with every default. What the keys of the method do
 to a result is in [method.md](method.md). The ground is `terrain.dem` or `terrain.plane`. Of the ways to
 give a release choose one: `polygon`, `thickness_raster`, `points`, `box`, or `dem_before` with `dem_after`.
-A dam needs `crest`, `height` or a line with z.
+Discharges that come in through lines, `[[inflow]]`, stand beside a release or in its place: each has a
+`hydrograph` or `[[inflow.surge]]`, and depth and speed at its line follow from a `froude` number unless a
+`speed` is given ([theory](theory.md)). A dam needs `crest`, `height` or a line with z.
 
 A structure is of one `kind`, whose keys say so. A slit with a sill is one more notch, one with a
 height a culvert. Openings should be four particles wide: `sabo check` says which spacing does it for

@@ -22,7 +22,7 @@ TEST(Rules, OneWayOfRelease) {
   EXPECT_THAT(release(""),
               ElementsAre("case.toml:3 release: nothing is released; "
                           "give one of polygon, thickness_raster, points, box, and dem_before "
-                          "with dem_after"));
+                          "with dem_after, or an [[inflow]]"));
   EXPECT_THAT(release("polygon = \"release.gpkg\"\nvolume = 1\npoints = \"points.txt\"\n"),
               ElementsAre("case.toml:3 release: the release is given in more than one way; "
                           "give one of polygon, thickness_raster, points, box, and dem_before "

@@ -260,7 +260,7 @@ TEST(StructuresScene, MapsShowTheGapsOfADam) {
 }
 
 TEST(StructuresExamples, AreSound) {
-  for (const char* name : {"slit-dam", "houses"}) {
+  for (const char* name : {"slit-dam", "houses", "inflow"}) {
     Faults faults;
     const Case c = read_case(repository() / "examples" / name, faults);
     const Scene scene = make_scene(c, faults);

@@ -179,6 +179,7 @@ void CpuBackend::momentum() {
   }
   load_bodies_by_stress();
   add_central_force();
+  hold_driven();
 }
 
 }  // namespace sabo

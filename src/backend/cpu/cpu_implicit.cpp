@@ -132,8 +132,8 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
       for (int c = 0; c < 3; ++c) sum[c] += dot[c];
     return sum;
   };
-  return velocity_step_.advance({fluid_, awake_, acceleration_, wall_share_, wall_drag_, dt,
-                                 tolerance, most_iterations, threads()},
+  return velocity_step_.advance({fluid_, awake_, driven_, acceleration_, wall_share_, wall_drag_,
+                                 dt, tolerance, most_iterations, threads()},
                                 multiply);
 }
 

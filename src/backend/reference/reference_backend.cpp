@@ -100,6 +100,7 @@ void ReferenceBackend::momentum() {
     pressure_power_[i] = power;
   }
   load_bodies_by_stress();
+  hold_driven();
 }
 
 }  // namespace sabo

@@ -81,8 +81,8 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
     }
     return sum;
   };
-  return velocity_step_.advance({fluid_, awake_, acceleration_, wall_share_, wall_drag_, dt,
-                                 tolerance, most_iterations, threads()},
+  return velocity_step_.advance({fluid_, awake_, driven_, acceleration_, wall_share_, wall_drag_,
+                                 dt, tolerance, most_iterations, threads()},
                                 multiply);
 }
 

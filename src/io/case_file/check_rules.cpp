@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "io/case_file/check_bodies.hpp"
+#include "io/case_file/check_inflows.hpp"
 #include "io/case_file/check_observed.hpp"
 #include "io/case_file/check_parts.hpp"
 #include "io/case_file/check_structures.hpp"
@@ -132,7 +133,8 @@ void check_box(const ReleaseCase& release, Faults& faults) {
   }
 }
 
-void check_release(const ReleaseCase& release, Faults& faults) {
+/// What starts to move at once is not needed where something comes in.
+void check_release(const ReleaseCase& release, bool is_needed, Faults& faults) {
   const bool by_pair = !release.dem_before.empty() || !release.dem_after.empty() ||
                        faults.has("release.dem_before") || faults.has("release.dem_after");
   const bool has_polygon = release.polygon.given() || faults.has("release.polygon");
@@ -147,10 +149,13 @@ void check_release(const ReleaseCase& release, Faults& faults) {
   check_polygon(release.polygon, "release.polygon", faults);
   check_box(release, faults);
   const int ways = by_pair + by_polygon + by_raster + by_points + by_box;
-  if (ways != 1) {
+  if (ways > 1 || (ways == 0 && is_needed)) {
     faults.add("release",
                ways > 1 ? "the release is given in more than one way" : "nothing is released",
-               "give one of polygon, thickness_raster, points, box, and dem_before with dem_after");
+               ways > 1 ? "give one of polygon, thickness_raster, points, box, and dem_before with "
+                          "dem_after"
+                        : "give one of polygon, thickness_raster, points, box, and dem_before with "
+                          "dem_after, or an [[inflow]]");
     return;
   }
   check_dem_pair(release, faults);
@@ -297,7 +302,8 @@ void check_rules(const Case& c, Faults& faults) {
   for (std::size_t i = 0; i < c.terrain.edits.size(); ++i) {
     check_edit(c.terrain.edits[i], fmt::format("terrain.edit[{}]", i + 1), faults);
   }
-  check_release(c.release, faults);
+  check_release(c.release, c.inflows.empty(), faults);
+  check_inflows(c.inflows, faults);
   check_structures(c.structures, faults);
   check_bodies(c.bodies, faults);
   for (std::size_t i = 0; i < c.sections.size(); ++i) {

@@ -208,6 +208,7 @@ Case read_text(std::string_view text, const FileContext& file,
   TableReader reader(file, *root, "");
   result.describe(reader);
   reader.refuse_unknown_keys();
+  name_nameless(result.inflows, "inflow");
   name_nameless(result.structures, "structure");
   name_nameless(result.bodies, "body");
   name_nameless(result.sections, "section");

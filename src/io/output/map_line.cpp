@@ -14,6 +14,8 @@ LineStyle style_of(MapLine::Kind kind) {
       return {svg_ink, 1.3, " stroke-dasharray=\"7 5\""};
     case MapLine::Kind::edit:
       return {"#b35900", 2, " stroke-dasharray=\"6 3\""};
+    case MapLine::Kind::inflow:
+      return {"#7b2d8e", 3, ""};
     case MapLine::Kind::zone:
       break;
   }

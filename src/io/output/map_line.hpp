@@ -11,7 +11,7 @@ namespace sabo {
 
 /// A line drawn over a map or laid on a scene.
 struct MapLine {
-  enum class Kind { dam, section, path, zone, edit };
+  enum class Kind { dam, section, path, zone, edit, inflow };
   Kind kind = Kind::path;
   std::string label = {};  ///< "" for none
   Polyline line = {};
@@ -21,8 +21,8 @@ struct MapLine {
 /// As `maps/plan.geojson` has them.
 template <>
 struct Words<MapLine::Kind> {
-  static constexpr std::array<std::string_view, 5> list{"structure", "section", "path", "zone",
-                                                        "edit"};
+  static constexpr std::array<std::string_view, 6> list{"structure", "section", "path",
+                                                        "zone",      "edit",    "inflow"};
 };
 
 /// How a line is drawn; `dashes` is an attribute of SVG or "".

@@ -132,6 +132,7 @@ Vec3d label_place(const MapLine& line, const Layout& layout) {
       return {layout.x((west.x + east.x) / 2), layout.y(north->y) + 20, 0};
     }
     case MapLine::Kind::section:
+    case MapLine::Kind::inflow:
       return {layout.x(north->x), layout.y(north->y) - 7, 0};
     case MapLine::Kind::dam:
     case MapLine::Kind::path:

@@ -64,6 +64,7 @@ const char* kind_word(MapLine::Kind kind) {
     case MapLine::Kind::dam:
       return "dam";
     case MapLine::Kind::section:
+    case MapLine::Kind::inflow:
       return "section";
     case MapLine::Kind::zone:
       return "zone";

@@ -109,13 +109,14 @@ void add_site(Report& report) {
 void add_release(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   page.section(say("release.title"));
+  const bool has_mass = run.number("release", "volume") != 0.0;
   ReportTable table;
   table.header = {"", say("column.value"), say("column.unit")};
   for (const auto& [label, key, unit] : {std::array{"release.volume", "volume", "m³"},
                                          {"release.area", "area", "m²"},
                                          {"release.mean", "mean_depth", "m"},
                                          {"release.greatest", "greatest_depth", "m"}})
-    if (const auto value = run.number("release", key))
+    if (const auto value = run.number("release", key); value && has_mass)
       table.rows.push_back({say(label), amount(*value), unit});
   if (const auto particles = run.number("run", "particles"))
     table.rows.push_back({say("release.particles"), amount(*particles), ""});
@@ -127,6 +128,7 @@ void add_release(Report& report) {
     if (!file.empty())
       page.text(say("release.file", key, shown_file(file), checksum_text(run, file)));
   }
+  add_inflows(report);
 }
 
 }  // namespace sabo

@@ -39,10 +39,20 @@ void tell_resolution(Report& report) {
                        report.say("resolution.barely_means", fixed(*median, 1)));
 }
 
+/// Of the release and of what came through inflows, m3.
+std::optional<double> released_volume(const Report& report) {
+  const std::vector<TomlTable> volumes = report.run.list("volumes");
+  return volumes.empty() ? report.run.number("release", "volume")
+                         : number_at(volumes.front(), "released");
+}
+
 std::string sentence_of_volume(const Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   const auto volume = run.number("release", "volume");
   if (!volume) return "";
+  if (!run.list("inflow").empty())
+    return say("summary.inflow", amount(released_volume(report).value_or(0)),
+               fixed(run.number("run", "simulated_s").value_or(0), 1));
   return say("summary.volume", amount(*volume), amount(run.number("release", "area").value_or(0)),
              fixed(run.number("run", "simulated_s").value_or(0), 1));
 }
@@ -113,7 +123,7 @@ void tell_numbers(Report& report) {
                        const std::string& unit) {
     if (value) pairs.emplace_back(label, amount(*value) + " " + unit);
   };
-  add(say("number.released"), run.number("release", "volume"), "m³");
+  add(say("number.released"), released_volume(report), "m³");
   add(say("number.runout"), run.quantity("front run-out [m]"), "m");
   add(say("number.front_speed"), run.quantity("peak front speed [m/s]"), "m/s");
   add(say("number.affected"), run.number("resolution", "wet_area"), "m²");

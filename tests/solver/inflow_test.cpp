@@ -1,0 +1,155 @@
+#include "solver/inflow.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <string>
+
+#include "support/scenes.hpp"
+#include <gtest/gtest.h>
+
+namespace sabo {
+namespace {
+
+/// A trough along x, 2 m wide and level, its banks 5 m high; vertices every metre.
+Surface trough() {
+  Raster bed(Grid{21, 11, -10.5, 5.5, 1, 1}, 0.0);
+  for (int row = 0; row < 11; ++row)
+    for (int column = 0; column < 21; ++column)
+      if (std::abs(bed.grid.y_of(row)) > 1) bed.at(column, row) = 5;
+  return Surface(bed);
+}
+
+/// 4 m3/s at 2 m/s through the 2 m: 1 m deep, 4 x 2 particles of half a metre in a layer.
+InflowPlan plan_over(const Surface& surface) {
+  const Polyline line{{{0, -1, 0}, {0, 1, 0}}, false};
+  return {"apex",
+          line,
+          InflowSection(surface, line, false, 0.5, 2),
+          {{0, 100}, {4, 4}, {2, 2}},
+          1,
+          0.5,
+          2,
+          1000,
+          9.81};
+}
+
+/// Moves what is driven over steps of 0.05 s, as a stepper would.
+class Channel {
+ public:
+  explicit Channel(const InflowPlan& plan) : inflow_(plan, 1) {}
+
+  void run(double duration) {
+    constexpr double dt = 0.05;
+    for (const double end = time_ + duration; time_ < end - dt / 2; time_ += dt) {
+      for (std::size_t i = 0; i < fluid.size(); ++i)
+        if (fluid.driven[i] != 0) fluid.position[i] += dt * fluid.velocity[i];
+      inflow_.advance(fluid, Tait{1000, 50}, time_ + dt, dt, next_id_);
+    }
+  }
+
+  Particles fluid;
+
+ private:
+  Inflow inflow_;
+  double time_ = 0;
+  std::uint32_t next_id_ = 0;
+};
+
+TEST(InflowLayers, ComeASpacingApartWithThePressureOfTheirDepth) {
+  const Surface surface = trough();
+  const InflowPlan plan = plan_over(surface);
+  Channel channel(plan);
+  channel.run(1);  // 2 m, four layers
+  const Particles& fluid = channel.fluid;
+  ASSERT_EQ(fluid.size(), 4u * 8);
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    const Vec3d& x = fluid.position[i];
+    EXPECT_NEAR(std::remainder(x.x - fluid.position[0].x, 0.5), 0, 1e-9);
+    EXPECT_EQ(fluid.velocity[i], (Vec3d{2, 0, 0}));
+    EXPECT_EQ(fluid.driven[i], 1);
+    // 8 particles fill the section to 1 m.
+    EXPECT_NEAR((Tait{1000, 50}.pressure(fluid.density[i])), 9810 * (1 - x.z), 1);
+    EXPECT_EQ(fluid.mass[i], 125);
+  }
+}
+
+TEST(InflowLayers, AreFreeBeyondTheirReach) {
+  const Surface surface = trough();
+  const InflowPlan plan = plan_over(surface);
+  Channel channel(plan);
+  channel.run(3);
+  for (std::size_t i = 0; i < channel.fluid.size(); ++i)
+    EXPECT_EQ(channel.fluid.driven[i] == 0, channel.fluid.position[i].x > 2) << i;
+  EXPECT_GT(std::ranges::count(channel.fluid.driven, 0), 0);
+}
+
+TEST(InflowLayers, TakeTheFreePlacesAboveWhatHasBackedUp) {
+  const Surface surface = trough();
+  const InflowPlan plan = plan_over(surface);
+  Channel empty(plan), blocked(plan);
+  blocked.fluid.resize(1);
+  blocked.fluid.position[0] = {0, -0.25, 0.25};
+  blocked.fluid.mass[0] = 125;
+  blocked.fluid.density[0] = 1000;
+  empty.run(0.3);
+  blocked.run(0.3);
+  ASSERT_EQ(empty.fluid.size(), 8u);
+  ASSERT_EQ(blocked.fluid.size(), 9u);
+  for (std::size_t i = 1; i < blocked.fluid.size(); ++i)
+    EXPECT_GT(norm(blocked.fluid.position[i] - blocked.fluid.position[0]), 0.35);
+  const auto highest = [](const Particles& fluid) {
+    return std::ranges::max(fluid.position, {}, &Vec3d::z).z;
+  };
+  EXPECT_NEAR(highest(empty.fluid), 0.75, 1e-12);
+  EXPECT_NEAR(highest(blocked.fluid), 1.25, 1e-12);
+}
+
+class Driven : public testing::TestWithParam<BackendKind> {};
+
+INSTANTIATE_TEST_SUITE_P(On, Driven, testing::Values(BackendKind::reference, BackendKind::cpu),
+                         [](const auto& kind) { return std::string(word_of(kind.param)); });
+
+/// A cube whose half is driven sideways; the other half is at rest.
+std::unique_ptr<Backend> half_driven_cube(BackendKind kind) {
+  FlowModel model = test::plain_model(0.1, 20, 1000);
+  model.gravity = {};
+  auto backend = make_backend(kind, model);
+  Particles& fluid = backend->fluid();
+  test::add_block(fluid, model, {0, 6, 0, 6, 0, 6});
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    if (fluid.position[i].x > 0.3) continue;
+    fluid.driven[i] = 1;
+    fluid.velocity[i] = {0, 1, 0};
+  }
+  return backend;
+}
+
+TEST_P(Driven, ParticlesKeepTheirVelocityAndDragTheOthers) {
+  for (const Method method : test::both_methods) {
+    auto backend = half_driven_cube(GetParam());
+    const Particles start = backend->fluid();
+    auto stepper = test::stepper_of(method, *backend);
+    stepper->step();
+    const double time = stepper->time();
+    const Particles& fluid = backend->fluid();
+    double slowest = 1, fastest = 0;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+      if (fluid.driven[i] != 0) {
+        EXPECT_EQ(fluid.velocity[i], (Vec3d{0, 1, 0}));
+        EXPECT_NEAR(norm(fluid.position[i] - start.position[fluid.id[i]] - Vec3d{0, time, 0}), 0,
+                    1e-12);
+        EXPECT_EQ(fluid.density[i], 1000);
+      } else {
+        slowest = std::min(slowest, fluid.velocity[i].y);
+        fastest = std::max(fastest, fluid.velocity[i].y);
+      }
+    }
+    EXPECT_GT(fastest, 0.005) << word_of(method);
+    EXPECT_GT(slowest, -1e-3) << word_of(method);
+    EXPECT_LT(fastest, 1) << word_of(method);
+  }
+}
+
+}  // namespace
+}  // namespace sabo
