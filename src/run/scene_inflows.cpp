@@ -119,7 +119,7 @@ InflowPlan plan_of(const InflowCase& inflow, const Case& c, const Scene& scene,
   // What is free needs driven neighbours in all of its kernel, when the next layer has yet to come.
   const double radius = flow_model(c.material, c.numerics, 1).kernel_radius();
   const double reach = (std::ceil(radius / spacing) + 1) * spacing;
-  Polyline line = read_line(inflow.line, key + ".line", scene.frame);
+  Polyline line = read_line(inflow.line, key + ".line", scene);
   InflowSection section = section_of(inflow, scene, line, spacing, reach, key);
   InflowPlan plan{
       inflow.name, std::move(line), std::move(section), discharge_of(inflow, key), inflow.froude,
