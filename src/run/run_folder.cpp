@@ -14,6 +14,18 @@ namespace sabo {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+void make_folder(const fs::path& folder) {
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (error)
+    throw CaseError(folder.string(), "cannot be made: " + error.message(),
+                    "choose another folder with -o");
+}
+
+}  // namespace
+
 RunFolder::RunFolder(std::filesystem::path folder, FormerRun former)
     : root_(std::move(folder)), goes_on_(former == FormerRun::resumed) {
   std::error_code error;
@@ -26,18 +38,13 @@ RunFolder::RunFolder(std::filesystem::path folder, FormerRun former)
           "choose another folder with -o, let it go on with --resume, or say --overwrite");
   };
   refuse_former();
-  fs::create_directories(root_, error);
-  if (error) throw RunError("cannot make " + root_.string() + ": " + error.message());
+  make_folder(root_);
   lock_.emplace(root_);
   refuse_former();  // another process may have made one until now
   remove_made_of_results();
   if (former == FormerRun::replaced) remove_results();
-  for (const fs::path& part : {maps(), series(), frames(), pictures(), checkpoints()}) {
-    fs::create_directories(part, error);
-    if (error)
-      throw CaseError(part.string(), "cannot be made: " + error.message(),
-                      "choose another folder with -o");
-  }
+  for (const fs::path& part : {maps(), series(), frames(), pictures(), checkpoints()})
+    make_folder(part);
   remove_parts();
   // From here on the folder is known as that of a run, whatever happens to it.
   set_state("running", "");

@@ -182,7 +182,7 @@ class Simulation {
   }
 
   void tell_progress() {
-    if (!options_.on_progress || seconds_since(told_) < 0.2) return;
+    if (!options_.on_progress || seconds_since(told_) < options_.progress_interval) return;
     told_ = Clock::now();
     RunProgress progress{flow_.stepper().time(),
                          case_.run.duration,

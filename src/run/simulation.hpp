@@ -46,14 +46,16 @@ struct RunResult {
 struct RunOptions {
   std::filesystem::path folder;  ///< empty or absent; made if need be
   FormerRun former = FormerRun::kept;
-  std::function<void(const RunProgress&)> on_progress;  ///< called a few times a second
+  std::function<void(const RunProgress&)> on_progress;  ///< called after steps
   const std::atomic<bool>* stop = nullptr;              ///< set by a signal handler
   bool keeps_checkpoint = true;                         ///< the last one, when the run has finished
   /// Called with a line that the user should see: where a run goes on, a damaged checkpoint.
-  std::function<void(const std::string&)> on_note = {};
-  /// Where it starts from, if not from the release.
-  std::optional<BranchOrigin> branch = {};
+  std::function<void(const std::string&)> on_note = {
+      double progress_interval = 0.2;  ///< of computing between two calls of on_progress, s
 };
+/// Where it starts from, if not from the release.
+std::optional<BranchOrigin> branch = {};
+};  // namespace sabo
 
 /// Runs a case and writes its run folder. Throws CaseError and, before anything was simulated,
 /// RunError; later failures are part of the result, with all outputs up to them written.

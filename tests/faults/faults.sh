@@ -204,7 +204,7 @@ if [ "$(id -u)" -ne 0 ]; then # root writes everywhere
   refused 3 'cannot write' "$sabo" run now/run --resume
   chmod -R u+w now/run
 fi
-refused 3 'cannot make' "$sabo" run case.toml -o /proc/sabo
+refused 2 'cannot be made' "$sabo" run case.toml -o /proc/sabo
 
 # A lost and a changed input.
 mkdir -p input

@@ -193,6 +193,8 @@ TEST(InflowScene, SaysWhatIsWrongWithALine) {
   EXPECT_THAT(fault_of_inflow("line = [[1, 2], [1, 3.5]]\n" + discharge),
               HasSubstr("above the ground at the line's first end"));
   EXPECT_THAT(fault_of_inflow("line = [[-1, 1.5], [-1, 3.5]]\n" + discharge),
+              HasSubstr("lies beside the DEM"));
+  EXPECT_THAT(fault_of_inflow("line = [[-1, 1.5], [1, 1.5]]\n" + discharge),
               HasSubstr("lies outside the DEM"));
   EXPECT_THAT(fault_of_inflow("line = [[1, 1.5], [1, 3], [1, 2], [1, 3.5]]\n" + discharge),
               HasSubstr("turns back"));
