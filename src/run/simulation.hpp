@@ -50,12 +50,11 @@ struct RunOptions {
   const std::atomic<bool>* stop = nullptr;              ///< set by a signal handler
   bool keeps_checkpoint = true;                         ///< the last one, when the run has finished
   /// Called with a line that the user should see: where a run goes on, a damaged checkpoint.
-  std::function<void(const std::string&)> on_note = {
-      double progress_interval = 0.2;  ///< of computing between two calls of on_progress, s
+  std::function<void(const std::string&)> on_note = {};
+  /// Where it starts from, if not from the release.
+  std::optional<BranchOrigin> branch = {};
+  double progress_interval = 0.2;  ///< of computing between two calls of on_progress, s
 };
-/// Where it starts from, if not from the release.
-std::optional<BranchOrigin> branch = {};
-};  // namespace sabo
 
 /// Runs a case and writes its run folder. Throws CaseError and, before anything was simulated,
 /// RunError; later failures are part of the result, with all outputs up to them written.
