@@ -37,6 +37,11 @@ void VolumeLedger::leave(const Particles& particles) {
   }
 }
 
+bool VolumeLedger::knows(const Particles& particles) const {
+  return std::ranges::all_of(particles.id,
+                             [this](std::uint32_t id) { return id < crossings_.size(); });
+}
+
 VolumeRow VolumeLedger::row() const {
   return {released_ / reference_density_, (released_ - beyond_ - outflow_) / reference_density_,
           beyond_ / reference_density_, outflow_ / reference_density_, put_back_};

@@ -45,9 +45,12 @@ class VolumeLedger {
 
   VolumeRow row() const;
 
+  /// Whether all of these particles were released.
+  bool knows(const Particles& particles) const;
+
   template <class Archive>
   void archive(Archive& a) {
-    a.fixed(crossings_);
+    a(crossings_);
     a(released_, beyond_, outflow_, put_back_);
   }
 

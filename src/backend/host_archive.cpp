@@ -55,7 +55,10 @@ void HostBackend::list_again(std::vector<Vec3d>& listed) {
   fluid_.position.swap(listed);
   if (forces.size() != body_forces_.size()) throw RunError("holds forces on other bodies");
   body_forces_ = forces;
+  if (awake.size() + driven_.size() > count)
+    throw RunError("holds more particles awake than there are");
   awake_ = awake;
+  asleep_count_ = count - awake_.size() - driven_.size();
   prepare_rows();
   pass_times_ = times;
 }

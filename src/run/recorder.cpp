@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <string>
 
+#include "base/error.hpp"
 #include "run/rest_text.hpp"
 
 namespace sabo {
@@ -133,6 +134,13 @@ void Recorder::start(double time, const Particles& fluid, const Particles& relea
   }
   maps_.update(time, fluid);
   rest_.update(time, fluid);
+}
+
+void Recorder::follow(const Particles& fluid) {
+  for (const VolumeLedger& ledger : ledgers_)
+    if (!ledger.knows(fluid)) throw RunError("holds particles that were never released");
+  tracks_ = {};
+  tracks_.advance(fluid);
 }
 
 void Recorder::after_entry(Domain& domain, const Tait& state) {

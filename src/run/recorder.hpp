@@ -101,11 +101,9 @@ class Recorder {
     a(front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_, solver_csv_);
   }
 
-  /// From now on paths of particles start where they are.
-  void follow(const Particles& fluid) {
-    tracks_ = {};
-    tracks_.advance(fluid);
-  }
+  /// From now on paths of particles start where they are. Throws RunError for particles that were
+  /// never released.
+  void follow(const Particles& fluid);
 
  private:
   void write_zones(SeriesRow& row);

@@ -185,7 +185,9 @@ Stopped run_with_stops(Case c, const fs::path& folder) {
   Stopped run;
   RunOptions options;
   options.folder = folder;
-  options.on_note = [&](const std::string& line) { run.notes += line + "\n"; };
+  options.on_note = [&](const std::string& line) {
+    run.notes += line + "\n";
+  };
   while (true) {
     std::atomic<bool> stop = false;
     options.stop = &stop;
@@ -201,9 +203,9 @@ Stopped run_with_stops(Case c, const fs::path& folder) {
   }
 }
 
-void expect_same_results_after_stops(const std::string& numerics) {
+void expect_same_results_after_stops(const std::string& text) {
   const TemporaryFolder folder;
-  const Case c = read(tank_case(numerics));
+  const Case c = read(text);
   RunOptions options;
   options.folder = folder / "whole/run";
   EXPECT_EQ(run_case(c, options).end, RunEnd::finished);
@@ -214,8 +216,22 @@ void expect_same_results_after_stops(const std::string& numerics) {
   expect_same_results(folder / "whole/run", folder / "stopped/run");
 }
 
-TEST(Resume, AStoppedRunGivesTheSameFilesFast) { expect_same_results_after_stops(fast); }
-TEST(Resume, AStoppedRunGivesTheSameFilesPaper) { expect_same_results_after_stops(paper); }
+TEST(Resume, AStoppedRunGivesTheSameFilesFast) { expect_same_results_after_stops(tank_case(fast)); }
+TEST(Resume, AStoppedRunGivesTheSameFilesPaper) {
+  expect_same_results_after_stops(tank_case(paper));
+}
+
+TEST(Resume, AStoppedInflowGivesTheSameFiles) {
+  expect_same_results_after_stops(
+      "[terrain.plane]\nextent = [0, 0, 11, 5]\nslope = 3\ncell_size = 0.5\n"
+      "[[body]]\nkind = \"box\"\nmin = [-1, 0, -1]\nmax = [12, 1.5, 3]\n"
+      "[[body]]\nkind = \"box\"\nmin = [-1, 3.5, -1]\nmax = [12, 5, 3]\n"
+      "[material]\ndensity = 1000\nrheology = \"newtonian\"\nviscosity = 0.1\n"
+      "[[inflow]]\nname = \"apex\"\nline = [[1, 1.5], [1, 3.5]]\nspeed = 2.5\n"
+      "[[inflow.surge]]\nstart = 0\npeak_time = 0\nend = 1e6\npeak_discharge = 5\n"
+      "[numerics]\nspacing = 0.25\nthreads = 1\n"
+      "[run]\nduration = 1.5\noutput_interval = 0.5\nseries_interval = 0.1\n");
+}
 
 }  // namespace
 }  // namespace sabo
