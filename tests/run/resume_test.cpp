@@ -185,9 +185,7 @@ Stopped run_with_stops(Case c, const fs::path& folder) {
   Stopped run;
   RunOptions options;
   options.folder = folder;
-  options.on_note = [&](const std::string& line) {
-    run.notes += line + "\n";
-  };
+  options.on_note = [&](const std::string& line) { run.notes += line + "\n"; };
   while (true) {
     std::atomic<bool> stop = false;
     options.stop = &stop;
