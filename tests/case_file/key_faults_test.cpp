@@ -196,6 +196,11 @@ TEST(KeyFaults, KeyOfAnotherRheology) {
                           "remove it, or choose rheology = \"general_cross\""));
 }
 
+TEST(KeyFaults, TableWithoutAName) {
+  for (const char* header : {"[=a]", "[[+]]", "[ #", "[.b]", "[&"})
+    EXPECT_THAT(added(header), ElementsAre(HasSubstr("case.toml:11: not valid TOML"))) << header;
+}
+
 TEST(KeyFaults, DuplicateKey) {
   EXPECT_THAT(added("spacing = 1"),
               ElementsAre("case.toml:11: not valid TOML: error while parsing key-value pair: "
