@@ -23,6 +23,7 @@ LAYERS = {
     "backend/reference": 4,
     "backend/cpu": 4,
     "backend/cuda": 4,
+    "backend/device": 4,
     "solver": 5,
     "analysis": 6,
     "io/gis": 6,
@@ -43,7 +44,8 @@ SIBLINGS = {
     "terrain": {"particles"},
     "backend/reference": {"backend"},
     "backend/cpu": {"backend"},
-    "backend/cuda": {"backend"},
+    "backend/cuda": {"backend", "backend/device"},
+    "backend/device": {"backend"},
     "io/output": {"io/gis", "analysis"},
     "report": {"run"},
     "post": {"run"},
@@ -62,7 +64,7 @@ PRINTS = re.compile(
 )
 EXITS = re.compile(r"\b(?:exit|_Exit|quick_exit|abort|std::terminate)\s*\(")
 OPENS = re.compile(r"<fstream>|\b(?:std::)?[io]?fstream\b|\b(?:fopen|freopen)\s*\(")
-PARALLEL = re.compile(r"\bomp\b|omp_|openmp|cuda", re.IGNORECASE)
+PARALLEL = re.compile(r"\bomp\b|omp_|openmp|cuda\w|__global__|<<<", re.IGNORECASE)
 
 # A comment, or a literal, which is matched first so that "//" within it starts no comment.
 COMMENT_OR_LITERAL = re.compile(

@@ -14,6 +14,11 @@ class Tracks {
   /// particle seen for the first time has its present position. Valid until the next call.
   const std::vector<Vec3d>& advance(const Particles& particles);
 
+  template <class Archive>
+  void archive(Archive& a) {
+    a(last_);
+  }
+
  private:
   std::vector<Vec3d> last_;    // by particle number; NaN where unknown
   std::vector<Vec3d> before_;  // by row

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "bench/parts.hpp"
 #include "io/output/file.hpp"
+#include "solver/make_backend.hpp"
 
 namespace sabo {
 namespace {
@@ -18,23 +19,24 @@ struct BenchOptions {
   std::string json;
   std::vector<std::string> only;
   std::string method;
+  std::string backend = "cpu";
 };
 
-std::vector<std::string_view> part_names() {
+std::vector<std::string_view> part_names(BackendKind backend) {
   std::vector<std::string_view> names;
-  for (const BenchPart& part : bench_parts()) names.push_back(part.name);
+  for (const BenchPart& part : bench_parts(backend)) names.push_back(part.name);
   return names;
 }
 
 /// The parts that are wanted, in the order of the list.
-std::vector<BenchPart> chosen_parts(const std::vector<std::string>& only) {
-  if (only.empty()) return bench_parts();
+std::vector<BenchPart> chosen_parts(const std::vector<std::string>& only, BackendKind backend) {
+  if (only.empty()) return bench_parts(backend);
   for (const std::string& name : only)
-    if (std::ranges::count(part_names(), name) == 0)
+    if (std::ranges::count(part_names(backend), name) == 0)
       throw CaseError("--only", fmt::format("there is no part \"{}\"", name),
-                      fmt::format("give some of {}", fmt::join(part_names(), ", ")));
+                      fmt::format("give some of {}", fmt::join(part_names(backend), ", ")));
   std::vector<BenchPart> parts;
-  for (const BenchPart& part : bench_parts())
+  for (const BenchPart& part : bench_parts(backend))
     if (std::ranges::count(only, part.name) > 0) parts.push_back(part);
   return parts;
 }
@@ -50,9 +52,22 @@ std::vector<Method> chosen_methods(const std::string& name) {
   return methods;
 }
 
+/// The processor, or a graphics card that is there.
+BackendKind chosen_backend(const std::string& name) {
+  for (const BackendKind kind : {BackendKind::cpu, BackendKind::cuda}) {
+    if (name != word_of(kind)) continue;
+    if (const std::string fault = missing_backend(kind); !fault.empty())
+      throw CaseError("--backend", fault, "measure --backend cpu");
+    return kind;
+  }
+  throw CaseError("--backend", fmt::format("there is no backend \"{}\" to measure", name),
+                  "give cpu or cuda");
+}
+
 int bench(const BenchOptions& options) {
-  const std::vector<BenchPart> parts = chosen_parts(options.only);
   BenchSettings settings = options.settings;
+  settings.backend = chosen_backend(options.backend);
+  const std::vector<BenchPart> parts = chosen_parts(options.only, settings.backend);
   settings.methods = chosen_methods(options.method);
   const BenchMachine machine = bench_machine(settings);
   fmt::print("sabo {} ({})\n{}, {}, {}\n{}", machine.version, machine.compiler, machine.cpu,
@@ -73,8 +88,10 @@ int bench(const BenchOptions& options) {
 
 std::string part_list() {
   std::string text = "Parts:";
-  for (const BenchPart& part : bench_parts())
-    text += fmt::format("\n  {:<12} {}", part.name, part.summary);
+  for (const BackendKind backend : {BackendKind::cpu, BackendKind::cuda})
+    for (const BenchPart& part : bench_parts(backend))
+      text += fmt::format("\n  {:<12} {}{}", part.name, part.summary,
+                          backend == BackendKind::cuda ? "; with --backend cuda" : "");
   return text;
 }
 
@@ -92,6 +109,8 @@ void add_bench_command(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 1024).description(""));
   command->add_option("--method", options->method, "method to measure; default: each")
       ->type_name(fmt::format("{}", fmt::join(Words<Method>::list, "|")));
+  command->add_option("--backend", options->backend, "what to measure; default: cpu")
+      ->type_name("cpu|cuda");
   command->add_option("--json", options->json, "write the results there, for compare_bench.py")
       ->type_name("FILE");
   command->add_option("--only", options->only, "parts to measure; default: all")

@@ -12,6 +12,7 @@
 #include "run/preview.hpp"
 #include "run/preview_picture.hpp"
 #include "run/scene.hpp"
+#include "solver/make_backend.hpp"
 
 namespace sabo {
 namespace {
@@ -41,6 +42,8 @@ void draw_preview(const CheckOptions& options, const std::string& svg) {
 
 /// How long the run will take, or why that cannot be told.
 std::string time_text(const Case& c, const Scene& scene) {
+  if (!missing_backend(c.numerics.backend).empty())
+    return "not known, for the backend is missing on this machine";
   try {
     return forecast_text(measured_forecast(c, scene));
   } catch (const RunError& error) {
@@ -88,6 +91,7 @@ void add_check_command(CLI::App& program, Action& action) {
   add_case_option(*command, "numerics", "spacing", options->overrides);
   add_case_option(*command, "run", "duration", options->overrides);
   add_case_option(*command, "numerics", "method", options->overrides);
+  add_case_option(*command, "numerics", "backend", options->overrides);
   add_case_option(*command, "numerics", "threads", options->overrides);
   command->footer(
       "Examples:\n  sabo check demo\n  sabo check demo --spacing 1.5\n  sabo check --defaults");

@@ -8,7 +8,7 @@
 #include "backend/model.hpp"
 #include "backend/numerical_heat.hpp"
 #include "backend/pass_times.hpp"
-#include "backend/viscous_solver.hpp"
+#include "backend/viscous_solve.hpp"
 #include "base/archive.hpp"
 #include "particles/particles.hpp"
 #include "physics/time_step.hpp"
@@ -50,8 +50,13 @@ class Backend {
   const FlowModel& model() const { return model_; }
 
   /// State on the host. After a change from outside, find_neighbours() must run before any sweep.
+  /// May be a copy, which holds what it held when it was asked for: ask again after a sweep.
   virtual Particles& fluid() = 0;
   virtual Particles& boundary() = 0;
+
+  /// Numbers of particles, without a copy.
+  virtual std::size_t fluid_count() const = 0;
+  virtual std::size_t boundary_count() const = 0;
 
   /// Whether some particle may have moved too far for the neighbour list once it has moved by
   /// `margin` (m) more.
@@ -127,6 +132,10 @@ class Backend {
   virtual const std::vector<Vec3d>& accelerations() const = 0;
   /// Rates of density of the last evaluation; fluid first, then boundary, kg/m3/s.
   virtual const std::vector<double>& density_rates() const = 0;
+
+  /// Memory that the arrays take on a device of their own, bytes, from which fluid() and boundary()
+  /// have to copy; 0 for those of the host.
+  virtual std::size_t device_bytes() const { return 0; }
 
   /// Time that each pass has taken; others, as the solver, may clock theirs here as well.
   PassTimes& pass_times() { return pass_times_; }

@@ -26,12 +26,13 @@ struct BodyLoad {
 
 /// A part of it that acts at one boundary particle.
 struct BodyForce {
-  std::uint32_t particle = 0;  ///< row of the boundary, until neighbours are found anew
-  Vec3d force;                 ///< N
+  std::uint32_t body = 0;  ///< its number, from 1
+  Vec3d position;          ///< of the particle, m
+  Vec3d force;             ///< N
 
   template <class Archive>
   void archive(Archive& a) {
-    a(particle, force);
+    a(body, position, force);
   }
 };
 

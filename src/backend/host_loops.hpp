@@ -25,20 +25,23 @@ void over_rows(const std::vector<std::uint32_t>& rows, int threads, const F& f) 
   over(rows.size(), threads, [&](std::size_t k) { f(std::size_t{rows[k]}); });
 }
 
-/// Sum of f(i) over fixed blocks, so that it has the same bits for any number of threads.
-template <class F>
-double blocked_sum(std::size_t count, int threads, const F& f) {
+/// Joins what f(k, sum) adds to sums of fixed blocks, in their order, so that the result has the
+/// same bits for any number of threads. A Sum starts as Sum{} and has join(other).
+template <class Sum, class F>
+Sum blocked_sum(std::size_t count, int threads, const F& f) {
   constexpr std::size_t block = 1024;
   const std::size_t blocks = (count + block - 1) / block;
-  std::vector<double> partial(blocks, 0.0);
-#pragma omp parallel for num_threads(threads) schedule(static)
+  std::vector<Sum> partial(blocks);
+#pragma omp parallel for num_threads(threads) if (blocks > 3) schedule(static)
   for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
     const std::size_t last = std::min(count, (b + 1) * block);
-    for (std::size_t i = b * block; i < last; ++i) partial[b] += f(i);
+    Sum sum;
+    for (std::size_t k = b * block; k < last; ++k) f(k, sum);
+    partial[b] = sum;
   }
-  double sum = 0;
-  for (const double p : partial) sum += p;
-  return sum;
+  Sum total;
+  for (const Sum& sum : partial) total.join(sum);
+  return total;
 }
 
 }  // namespace sabo

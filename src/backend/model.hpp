@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "backend/periodic.hpp"
+#include "base/host_device.hpp"
 #include "math/vec3.hpp"
 #include "physics/equation_of_state.hpp"
 #include "physics/kernel.hpp"
@@ -55,28 +56,28 @@ struct FlowModel {
   int threads = 0;  ///< 0: all
 
   template <class T>
-  WendlandC2<T> kernel() const {
+  SABO_HD WendlandC2<T> kernel() const {
     return WendlandC2<T>::make(h, dimension);
   }
-  double kernel_radius() const { return 2 * h; }
+  SABO_HD double kernel_radius() const { return 2 * h; }
   /// Layers of boundary particles that fill the kernel of a particle at the wall.
   int wall_layers() const { return static_cast<int>(std::ceil(kernel_radius() / spacing - 1e-9)); }
   /// Regularises r^2 in denominators, m2 (0.01 h^2 as in the paper).
-  double eta2() const { return 0.01 * h * h; }
+  SABO_HD double eta2() const { return 0.01 * h * h; }
   /// Acceleration by gravity and the central force at a place, m/s2.
-  Vec3d body_force(const Vec3d& x) const {
+  SABO_HD Vec3d body_force(const Vec3d& x) const {
     return gravity - central.strength * (x - central.origin);
   }
   /// Density gradient of the fluid at rest that diffusion leaves alone, over rho0, 1/m.
-  Vec3d diffusion_background(const Vec3d& x) const {
+  SABO_HD Vec3d diffusion_background(const Vec3d& x) const {
     const double per_c2 = 1 / (state.c0 * state.c0);
     return diffusion_form == DiffusionForm::fourtakas ? per_c2 * body_force(x) : Vec3d{};
   }
   /// Factor on eps in Eqs. 16-17: the paper prints 1/2, which halves every viscosity.
-  double strain_convention() const { return as_printed ? 0.5 : 1; }
+  SABO_HD double strain_convention() const { return as_printed ? 0.5 : 1; }
   /// Factor on the velocity difference of pairs across the wall in viscous terms. With `mirror` the
   /// wall moves against the fluid, which doubles it; the two-point form with `none` ignores walls.
-  double wall_velocity_factor() const {
+  SABO_HD double wall_velocity_factor() const {
     if (boundary_stress == BoundaryStress::mirror) return 2;
     const bool slips =
         viscous_operator == ViscousOperator::morris && boundary_stress == BoundaryStress::none;

@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "base/host_device.hpp"
 #include "math/vec3.hpp"
 
 namespace sabo {
@@ -13,21 +14,21 @@ struct Periodic {
   Vec3d origin;                 ///< lower corner of the primary cell, m
   std::array<Vec3d, 3> period;  ///< of x, y, z; period[a] has a positive component a
 
-  static double along(const Vec3d& v, int axis) {
+  SABO_HD static double along(const Vec3d& v, int axis) {
     return axis == 0 ? v.x : (axis == 1 ? v.y : v.z);
   }
-  bool on(int axis) const { return along(period[axis], axis) > 0; }
-  bool any() const { return on(0) || on(1) || on(2); }
+  SABO_HD bool on(int axis) const { return along(period[axis], axis) > 0; }
+  SABO_HD bool any() const { return on(0) || on(1) || on(2); }
 
   /// The image of x_i - x_j with the smallest components.
-  Vec3d nearest(Vec3d x) const {
+  SABO_HD Vec3d nearest(Vec3d x) const {
     for (int axis = 0; axis < 3; ++axis)
       if (on(axis)) x -= std::rint(along(x, axis) / along(period[axis], axis)) * period[axis];
     return x;
   }
 
   /// The image of a position inside the primary cell.
-  Vec3d wrapped(Vec3d x) const {
+  SABO_HD Vec3d wrapped(Vec3d x) const {
     for (int axis = 0; axis < 3; ++axis)
       if (on(axis))
         x -= std::floor(along(x - origin, axis) / along(period[axis], axis)) * period[axis];

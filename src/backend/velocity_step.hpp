@@ -1,124 +1,161 @@
 #pragma once
 
-#include <vector>
-
-#include "backend/host_loops.hpp"
+#include "backend/flow_view.hpp"
+#include "backend/sweeps/flow_sums.hpp"
 #include "backend/viscous_solver.hpp"
-#include "backend/wall_share.hpp"
-#include "particles/particles.hpp"
 
 namespace sabo {
 
-/// What the implicit step of velocity starts from; arrays by particle.
-struct VelocityProblem {
-  Particles& fluid;
-  const std::vector<std::uint32_t>& rows;    ///< particles that move; the others are at rest
-  const std::vector<std::uint32_t>& driven;  ///< or driven: they keep the velocity they have
-  const std::vector<Vec3d>& acceleration;    ///< without viscosity, m/s2
-  const std::vector<WallShare>& wall;
-  const std::vector<double>& wall_drag;  ///< kg/s
+/// What the implicit step of velocity works on.
+template <class T>
+struct VelocityView {
+  FlowView flow;
+  SolverView<T> solver;
+  const T* conductance_sum;
+  Vec3d* guess;
+  T* mass;
+  T* drag;
   double dt;
-  double tolerance;  ///< m/s
-  int most_iterations;
-  int threads;
+
+  SABO_HD Vec3d pushed(std::size_t i) const {
+    return flow.fluid.velocity[i] + dt * flow.acceleration[i];
+  }
+};
+
+/// The guess keeps the viscous acceleration of the last step.
+template <class T>
+struct GuessVelocity {
+  VelocityView<T> on;
+  T* diagonal;
+  SABO_HD void operator()(std::size_t k) const {
+    const std::size_t i = on.solver.rows[k];
+    const Vec3d g = on.pushed(i) + on.dt * on.flow.fluid.drag[i];
+    on.guess[i] = g;
+    on.solver.direction[i] = {T(g.x), T(g.y), T(g.z)};
+    on.mass[i] = T(on.flow.fluid.mass[i]);
+    on.drag[i] = T(on.flow.wall_drag[i]);
+    diagonal[i] = on.mass[i] + T(on.dt) * (on.conductance_sum[i] + on.drag[i]);
+  }
+};
+
+/// A given velocity stands on the right-hand side; it is no unknown.
+template <class T>
+struct GiveVelocity {
+  VelocityView<T> on;
+  SABO_HD void operator()(std::size_t i) const {
+    const Vec3d& v = on.flow.fluid.velocity[i];
+    on.solver.direction[i] = {T(v.x), T(v.y), T(v.z)};
+  }
+};
+template <class T>
+struct WithdrawVelocity {
+  VelocityView<T> on;
+  SABO_HD void operator()(std::size_t i) const { on.solver.direction[i] = {}; }
+};
+
+/// The residual of the guess, from the product of it with everything but the masses.
+template <class T>
+struct FindResidual {
+  VelocityView<T> on;
+  SABO_HD void operator()(std::size_t k) const {
+    const std::size_t i = on.solver.rows[k];
+    const WallShare& wall = on.flow.wall[i];
+    const double carried = wall.share > 0 ? on.dt * on.flow.wall_drag[i] / wall.share : 0;
+    const Vec3d r = on.flow.fluid.mass[i] * (on.pushed(i) - on.guess[i]) + carried * wall.velocity;
+    const Quad<T>& q = on.solver.product[i];
+    on.solver.residual[i] = {T(r.x) - q.x, T(r.y) - q.y, T(r.z) - q.z};
+  }
+};
+
+/// Mass and wall drag over the step, kg.
+template <class T>
+struct FindInertia {
+  VelocityView<T> on;
+  SABO_HD void operator()(std::size_t k, Total& sum) const {
+    const std::size_t i = on.solver.rows[k];
+    sum.value += on.flow.fluid.mass[i] + on.dt * on.flow.wall_drag[i];
+  }
+};
+
+/// The new velocity, and the viscous force times the mean velocity of the step, J. With what it
+/// takes from the pushed velocity, the heat of a creeping flow would be that of dt g, which it
+/// never reaches.
+template <class T>
+struct TakeVelocity {
+  VelocityView<T> on;
+  Vec3d owed;
+  SABO_HD void operator()(std::size_t k, Total& heat) const {
+    const std::size_t i = on.solver.rows[k];
+    const Quad<T>& c = on.solver.change[i];
+    Vec3d& velocity = on.flow.fluid.velocity[i];
+    const Vec3d before = on.pushed(i);
+    const Vec3d after = on.guess[i] + Vec3d{double(c.x), double(c.y), double(c.z)} + owed;
+    heat.value += 0.5 * on.flow.fluid.mass[i] * dot(before - after, velocity + after);
+    on.flow.fluid.drag[i] = (1 / on.dt) * (after - before);
+    velocity = after;
+  }
 };
 
 /// Backward Euler of viscosity and wall resistance with coefficients of the last step:
 ///   (M + dt K + dt D) v' = M (v + dt a) + dt D w,
 /// solved for the change from a guess that keeps the viscous acceleration of the last step.
-template <class T>
+template <class T, class Executor = HostExecutor>
 class VelocityStep {
  public:
-  using Dot = typename ViscousSolver<T>::Dot;
+  using Numbers = typename Executor::template Array<T>;
 
-  std::vector<T> conductance_sum;  ///< row sums of -K off its diagonal, kg/s, in
-
-  /// What the product needs to know.
-  std::vector<T> mass;  ///< kg
-  std::vector<T> drag;  ///< kg/s
-  ViscousSolver<T> solver;
+  Numbers conductance_sum;  ///< row sums of -K off its diagonal, kg/s, in
+  ViscousSolver<T, Executor> solver;
 
   /// All rows start from zero.
-  void reset(std::size_t particles) {
-    conductance_sum.assign(particles, T(0));
-    mass.assign(particles, T(0));
-    drag.assign(particles, T(0));
-    none_.assign(particles, T(0));
-    guess_.assign(particles, {});
-    solver.reset(particles);
+  void reset(const Executor& on, std::size_t particles) {
+    for (Numbers* numbers : {&conductance_sum, &mass_, &drag_, &none_})
+      on.zero(*numbers, particles);
+    on.zero(guess_, particles);
+    solver.reset(on, particles);
   }
 
   /// `multiply(mass, drag)` sets solver.product to (mass + dt K + dt drag) solver.direction and
-  /// returns their scalar product.
+  /// returns their scalar product; masses in kg, drags of the walls in kg/s. `tolerance` in m/s.
+  /// Driven particles keep their velocity; particles in neither list are at rest.
   template <class Multiply>
-  ViscousSolve advance(const VelocityProblem& problem, const Multiply& multiply) {
-    const double dt = problem.dt;
-    Particles& fluid = problem.fluid;
-    const auto pushed = [&](std::size_t i) {
-      return fluid.velocity[i] + dt * problem.acceleration[i];
-    };
-    over_rows(problem.rows, problem.threads, [&](std::size_t i) {
-      guess_[i] = pushed(i) + dt * fluid.drag[i];
-      const Vec3d& g = guess_[i];
-      solver.direction[i] = {T(g.x), T(g.y), T(g.z)};
-      mass[i] = T(fluid.mass[i]);
-      drag[i] = T(problem.wall_drag[i]);
-      solver.diagonal[i] = mass[i] + T(dt) * (conductance_sum[i] + drag[i]);
-    });
-    // A given velocity stands on the right-hand side; it is no unknown.
-    for (const std::uint32_t i : problem.driven) {
-      const Vec3d& v = fluid.velocity[i];
-      solver.direction[i] = {T(v.x), T(v.y), T(v.z)};
-    }
-    multiply(none_, drag);
-    for (const std::uint32_t i : problem.driven) solver.direction[i] = {};
-    over_rows(problem.rows, problem.threads, [&](std::size_t i) {
-      const double share = problem.wall[i].share;
-      const double carried = share > 0 ? dt * problem.wall_drag[i] / share : 0;
-      const Vec3d r = fluid.mass[i] * (pushed(i) - guess_[i]) + carried * problem.wall[i].velocity;
-      const Quad<T>& q = solver.product[i];
-      solver.residual[i] = {T(r.x) - q.x, T(r.y) - q.y, T(r.z) - q.z};
-    });
-
-    ViscousSolve outcome =
-        solver.solve(problem.rows, mass, problem.tolerance, problem.most_iterations,
-                     problem.threads, [&] { return multiply(mass, drag); });
+  ViscousSolve advance(const Executor& on, const FlowView& flow, RowList rows, RowList driven,
+                       double dt, double tolerance, int most_iterations,
+                       const Multiply& multiply) {
+    const VelocityView<T> view{flow,
+                               solver.view(rows, mass_.data()),
+                               conductance_sum.data(),
+                               guess_.data(),
+                               mass_.data(),
+                               drag_.data(),
+                               dt};
+    on.for_each(rows.count, GuessVelocity<T>{view, solver.diagonal.data()});
+    on.for_each(driven.count, AtRow<GiveVelocity<T>>{driven.index, {view}});
+    multiply(none_.data(), drag_.data());
+    on.for_each(driven.count, AtRow<WithdrawVelocity<T>>{driven.index, {view}});
+    on.for_each(rows.count, FindResidual<T>{view});
+    ViscousSolve outcome = solver.solve(on, rows, mass_.data(), tolerance, most_iterations,
+                                        [&] { return multiply(mass_.data(), drag_.data()); });
     if (!outcome.converged) return outcome;
-    const Vec3d owed = common_change(problem);
-    heat_.resize(problem.rows.size());
-    over(problem.rows.size(), problem.threads, [&](std::size_t k) {
-      const std::size_t i = problem.rows[k];
-      const Quad<T>& c = solver.change[i];
-      const Vec3d before = pushed(i);
-      const Vec3d after = guess_[i] + Vec3d{double(c.x), double(c.y), double(c.z)} + owed;
-      // The viscous force times the mean velocity of the step. With what it takes from the pushed
-      // velocity, the heat of a creeping flow would be that of dt g, which it never reaches.
-      heat_[k] = 0.5 * fluid.mass[i] * dot(before - after, fluid.velocity[i] + after);
-      fluid.drag[i] = (1 / dt) * (after - before);
-      fluid.velocity[i] = after;
-    });
-    outcome.heat =
-        blocked_sum(heat_.size(), problem.threads, [this](std::size_t k) { return heat_[k]; });
+    // What the solve has left undone, as one change of velocity for all: the coarse correction by
+    // the constant vector (Nicolaides 1987), after which the residuals add up to zero. Viscosity
+    // within the flow then conserves momentum to rounding, whatever the tolerance.
+    const double inertia = on.template reduce<Total>(rows.count, FindInertia<T>{view}).value;
+    const Dot& left = solver.residual_sum;
+    const Vec3d owed = inertia > 0 ? (1 / inertia) * Vec3d{left.x, left.y, left.z} : Vec3d{};
+    outcome.heat = on.template reduce<Total>(rows.count, TakeVelocity<T>{view, owed}).value;
     return outcome;
   }
 
- private:
-  /// What the solve has left undone, as one change of velocity for all: the coarse correction by
-  /// the constant vector (Nicolaides 1987), after which the residuals add up to zero. Viscosity
-  /// within the flow then conserves momentum to rounding, whatever the tolerance.
-  Vec3d common_change(const VelocityProblem& problem) {
-    const double inertia =
-        blocked_sum(problem.rows.size(), problem.threads, [&](std::size_t k) -> double {
-          const std::size_t i = problem.rows[k];
-          return problem.fluid.mass[i] + problem.dt * problem.wall_drag[i];
-        });
-    const Dot& left = solver.residual_sum;
-    return inertia > 0 ? (1 / inertia) * Vec3d{left[0], left[1], left[2]} : Vec3d{};
+  /// Memory of the vectors.
+  std::size_t bytes() const {
+    const std::size_t numbers = conductance_sum.size() + mass_.size() + drag_.size() + none_.size();
+    return numbers * sizeof(T) + guess_.size() * sizeof(Vec3d) + solver.bytes();
   }
 
-  std::vector<T> none_;
-  std::vector<Vec3d> guess_;
-  std::vector<double> heat_;
+ private:
+  Numbers mass_, drag_, none_;
+  typename Executor::template Array<Vec3d> guess_;
 };
 
 }  // namespace sabo

@@ -2,56 +2,149 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
-#include <vector>
 
+#include "backend/flow_view.hpp"
+#include "backend/host_executor.hpp"
+#include "backend/viscous_solve.hpp"
 #include "math/quad.hpp"
 
 namespace sabo {
 
-/// How an implicit step of viscosity went.
-struct ViscousSolve {
-  int iterations = 0;
-  bool converged = true;
-  double heat = 0;  ///< kinetic energy that viscosity and walls took, J
+/// Three scalar products, one for each component.
+struct Dot {
+  double x = 0, y = 0, z = 0;
+  SABO_HD void join(const Dot& other) {
+    x += other.x;
+    y += other.y;
+    z += other.z;
+  }
+};
+
+/// What an iteration wants to know of the residual.
+struct ResidualSums {
+  Dot energy;    ///< residual . residual / diagonal
+  Dot size;      ///< |residual / mass|^2
+  Dot residual;  ///< sum
+  SABO_HD void join(const ResidualSums& other) {
+    energy.join(other.energy);
+    size.join(other.size);
+    residual.join(other.residual);
+  }
+  double largest() const { return std::max({size.x, size.y, size.z}); }
+};
+
+/// Where the vectors of the solver are.
+template <class T>
+struct SolverView {
+  const std::uint32_t* rows;
+  const T* mass;
+  const T* diagonal;
+  Quad<T>* change;
+  Quad<T>* residual;
+  Quad<T>* direction;
+  Quad<T>* product;
+
+  SABO_HD void measure(std::size_t i, ResidualSums& sums) const {
+    const Quad<T>& r = residual[i];
+    const double inverse = 1 / static_cast<double>(diagonal[i]);
+    const double per_mass = 1 / static_cast<double>(mass[i]);
+    const double x = r.x, y = r.y, z = r.z;
+    sums.join(
+        {{x * x * inverse, y * y * inverse, z * z * inverse},
+         {x * x * per_mass * per_mass, y * y * per_mass * per_mass, z * z * per_mass * per_mass},
+         {x, y, z}});
+  }
+};
+
+/// From a change of zero along the preconditioned residual.
+template <class T>
+struct StartSolve {
+  SolverView<T> on;
+  SABO_HD void operator()(std::size_t k, ResidualSums& sums) const {
+    const std::size_t i = on.rows[k];
+    const Quad<T>& r = on.residual[i];
+    const T inverse = T(1) / on.diagonal[i];
+    on.change[i] = {};
+    on.direction[i] = {inverse * r.x, inverse * r.y, inverse * r.z};
+    on.measure(i, sums);
+  }
+};
+
+/// By a length along the direction.
+template <class T>
+struct AdvanceSolve {
+  SolverView<T> on;
+  Vec3<T> length;
+  SABO_HD void operator()(std::size_t k, ResidualSums& sums) const {
+    const std::size_t i = on.rows[k];
+    const Quad<T>& p = on.direction[i];
+    const Quad<T>& q = on.product[i];
+    Quad<T>& x = on.change[i];
+    Quad<T>& r = on.residual[i];
+    x = {x.x + length.x * p.x, x.y + length.y * p.y, x.z + length.z * p.z};
+    r = {r.x - length.x * q.x, r.y - length.y * q.y, r.z - length.z * q.z};
+    on.measure(i, sums);
+  }
+};
+
+/// Into the next direction, which keeps a share of the last.
+template <class T>
+struct TurnSolve {
+  SolverView<T> on;
+  Vec3<T> keep;
+  SABO_HD void operator()(std::size_t k) const {
+    const std::size_t i = on.rows[k];
+    const T inverse = T(1) / on.diagonal[i];
+    const Quad<T>& r = on.residual[i];
+    Quad<T>& p = on.direction[i];
+    p = {inverse * r.x + keep.x * p.x, inverse * r.y + keep.y * p.y, inverse * r.z + keep.z * p.z};
+  }
 };
 
 /// Conjugate gradients with the diagonal as preconditioner (Hestenes & Stiefel 1952; Saad 2003,
 /// algorithm 9.1) for the three components of one symmetric matrix at once. Products are in the
-/// precision of T, scalar products in double precision over fixed blocks: the same bits for any
+/// precision of T, scalar products in double precision in a fixed order: the same bits for any
 /// number of threads.
-template <class T>
+template <class T, class Executor = HostExecutor>
 class ViscousSolver {
  public:
-  using Vector = std::vector<Quad<T>>;
-  using Dot = std::array<double, 3>;
+  using Vector = typename Executor::template Array<Quad<T>>;
 
   // Rows of particles that take no part stay zero.
   Vector change;     ///< the solution, out
   Vector residual;   ///< of a change of zero, in; kg m/s
   Vector direction;  ///< handed to the product
   Vector product;
-  std::vector<T> diagonal;  ///< kg, in
-  Dot residual_sum{};       ///< over the rows, of the solution, out; kg m/s
+  typename Executor::template Array<T> diagonal;  ///< kg, in
+  Dot residual_sum;                               ///< over the rows, of the solution, out; kg m/s
 
-  void reset(std::size_t particles) {
-    for (Vector* v : {&change, &residual, &direction, &product}) v->assign(particles, {});
-    diagonal.assign(particles, T(1));
+  void reset(const Executor& on, std::size_t particles) {
+    for (Vector* v : {&change, &residual, &direction, &product}) on.zero(*v, particles);
+    on.zero(diagonal, particles);
   }
 
-  /// Iterates until no component of the residual over the mass exceeds `tolerance` (m/s, root mean
-  /// square over `rows`), or what is left of the first one is rounding. `multiply` sets `product`
-  /// to the matrix times `direction` and returns their scalar product.
+  std::size_t bytes() const {
+    return 4 * change.size() * sizeof(Quad<T>) + diagonal.size() * sizeof(T);
+  }
+
+  SolverView<T> view(RowList rows, const T* mass) {
+    return {rows.index,       mass,          diagonal.data(), change.data(), residual.data(),
+            direction.data(), product.data()};
+  }
+
+  /// Iterates until no component of the residual over the mass (kg) exceeds `tolerance` (m/s, root
+  /// mean square over `rows`), or what is left of the first one is rounding. `multiply` sets
+  /// `product` to the matrix times `direction` and returns their scalar product.
   template <class Multiply>
-  ViscousSolve solve(const std::vector<std::uint32_t>& rows, const std::vector<T>& mass,
-                     double tolerance, int most, int threads, const Multiply& multiply) {
-    mass_ = &mass;
+  ViscousSolve solve(const Executor& on, RowList rows, const T* mass, double tolerance, int most,
+                     const Multiply& multiply) {
+    const SolverView<T> vectors = view(rows, mass);
     ViscousSolve outcome;
-    Sums sums = restart(rows, threads);
-    const double enough = std::max(tolerance * tolerance * static_cast<double>(rows.size()),
+    auto sums = on.template reduce<ResidualSums>(rows.count, StartSolve<T>{vectors});
+    const double enough = std::max(tolerance * tolerance * static_cast<double>(rows.count),
                                    least_share * least_share * sums.largest());
     residual_sum = sums.residual;
     while (sums.largest() > enough) {
@@ -60,13 +153,10 @@ class ViscousSolver {
         return outcome;
       }
       const Dot curvature = multiply();
-      Dot length{};
-      for (int c = 0; c < 3; ++c) length[c] = curvature[c] > 0 ? sums.energy[c] / curvature[c] : 0;
-      const Sums next = advance(rows, length, threads);
-      Dot keep{};
-      for (int c = 0; c < 3; ++c)
-        keep[c] = sums.energy[c] > 0 ? next.energy[c] / sums.energy[c] : 0;
-      turn(rows, keep, threads);
+      const Vec3<T> length = ratios(sums.energy, curvature);
+      const auto next =
+          on.template reduce<ResidualSums>(rows.count, AdvanceSolve<T>{vectors, length});
+      on.for_each(rows.count, TurnSolve<T>{vectors, ratios(next.energy, sums.energy)});
       sums = next;
       residual_sum = sums.residual;
       ++outcome.iterations;
@@ -75,88 +165,12 @@ class ViscousSolver {
   }
 
  private:
-  static constexpr std::size_t block = 1024;
   /// Of the first residual: what the precision of the products leaves.
   static constexpr double least_share = 100 * std::numeric_limits<T>::epsilon();
 
-  struct Sums {
-    Dot energy{};  ///< residual . residual / diagonal
-    Dot size{};    ///< |residual / mass|^2
-    Dot residual{};
-    double largest() const { return std::max({size[0], size[1], size[2]}); }
-  };
-
-  /// f(particle, sums) over the rows by blocks, summed in their order.
-  template <class F>
-  Sums over(const std::vector<std::uint32_t>& rows, int threads, const F& f) {
-    const auto blocks = static_cast<std::ptrdiff_t>((rows.size() + block - 1) / block);
-    partial_.assign(static_cast<std::size_t>(blocks), {});
-#pragma omp parallel for num_threads(threads) if (blocks > 3) schedule(static)
-    for (std::ptrdiff_t b = 0; b < blocks; ++b) {
-      const std::size_t last = std::min(rows.size(), (b + 1) * block);
-      Sums sums;
-      for (std::size_t k = b * block; k < last; ++k) f(rows[k], sums);
-      partial_[b] = sums;
-    }
-    Sums total;
-    for (const Sums& sums : partial_) {
-      for (int c = 0; c < 3; ++c) {
-        total.energy[c] += sums.energy[c];
-        total.size[c] += sums.size[c];
-        total.residual[c] += sums.residual[c];
-      }
-    }
-    return total;
+  static Vec3<T> ratios(const Dot& a, const Dot& b) {
+    return {T(b.x > 0 ? a.x / b.x : 0), T(b.y > 0 ? a.y / b.y : 0), T(b.z > 0 ? a.z / b.z : 0)};
   }
-
-  void measure(std::size_t i, Sums& sums) const {
-    const Quad<T>& r = residual[i];
-    const double inverse = 1 / static_cast<double>(diagonal[i]);
-    const double per_mass = 1 / static_cast<double>((*mass_)[i]);
-    const Dot component{static_cast<double>(r.x), static_cast<double>(r.y),
-                        static_cast<double>(r.z)};
-    for (int c = 0; c < 3; ++c) {
-      sums.energy[c] += component[c] * component[c] * inverse;
-      sums.size[c] += component[c] * component[c] * per_mass * per_mass;
-      sums.residual[c] += component[c];
-    }
-  }
-
-  Sums restart(const std::vector<std::uint32_t>& rows, int threads) {
-    return over(rows, threads, [this](std::size_t i, Sums& sums) {
-      const Quad<T>& r = residual[i];
-      const T inverse = T(1) / diagonal[i];
-      change[i] = {};
-      direction[i] = {inverse * r.x, inverse * r.y, inverse * r.z};
-      measure(i, sums);
-    });
-  }
-
-  Sums advance(const std::vector<std::uint32_t>& rows, const Dot& length, int threads) {
-    const T a = T(length[0]), b = T(length[1]), c = T(length[2]);
-    return over(rows, threads, [&](std::size_t i, Sums& sums) {
-      const Quad<T>& p = direction[i];
-      const Quad<T>& q = product[i];
-      Quad<T>& x = change[i];
-      Quad<T>& r = residual[i];
-      x = {x.x + a * p.x, x.y + b * p.y, x.z + c * p.z};
-      r = {r.x - a * q.x, r.y - b * q.y, r.z - c * q.z};
-      measure(i, sums);
-    });
-  }
-
-  void turn(const std::vector<std::uint32_t>& rows, const Dot& keep, int threads) {
-    const T a = T(keep[0]), b = T(keep[1]), c = T(keep[2]);
-    over(rows, threads, [&](std::size_t i, Sums&) {
-      const T inverse = T(1) / diagonal[i];
-      const Quad<T>& r = residual[i];
-      Quad<T>& p = direction[i];
-      p = {inverse * r.x + a * p.x, inverse * r.y + b * p.y, inverse * r.z + c * p.z};
-    });
-  }
-
-  const std::vector<T>* mass_ = nullptr;
-  std::vector<Sums> partial_;
 };
 
 }  // namespace sabo

@@ -13,7 +13,11 @@
 
 namespace sabo {
 
-const std::vector<BenchPart>& bench_parts() {
+const std::vector<BenchPart>& bench_parts(BackendKind backend) {
+  static const std::vector<BenchPart> card_parts{
+      {"card", "passes on the graphics card, by number of particles", bench_card},
+  };
+  if (backend == BackendKind::cuda) return card_parts;
   static const std::vector<BenchPart> parts{
       {"peak", "most multiplications and additions of a core, by instruction set", bench_peak},
       {"passes", "speed of the passes over pairs, by instruction set", bench_passes},

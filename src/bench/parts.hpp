@@ -12,6 +12,7 @@ struct BenchSettings {
   int threads = 1;     ///< the most that are used
   bool quick = false;  ///< small scenes, few repetitions: to see that it works, not to compare
   std::vector<Method> methods{Method::fast, Method::paper};  ///< those that are measured
+  BackendKind backend = BackendKind::cpu;                    ///< cpu or cuda
 
   int repeats() const { return quick ? 3 : 5; }
 };
@@ -33,6 +34,10 @@ BenchResult bench_dry_terrain(const BenchSettings& settings);
 /// Water in a tank, as other programs are measured.
 BenchResult bench_dam_break(const BenchSettings& settings);
 
+/// Speed of the passes on the graphics card, beside what it does at most, and bytes per particle,
+/// for 20 thousand particles and more, as many as its memory holds.
+BenchResult bench_card(const BenchSettings& settings);
+
 /// What the ratio of the step times on the large and the small map means.
 std::string_view dry_terrain_verdict(double ratio);
 
@@ -42,8 +47,8 @@ struct BenchPart {
   BenchResult (*measure)(const BenchSettings&);
 };
 
-/// All parts, in the order in which they run.
-const std::vector<BenchPart>& bench_parts();
+/// All parts for a backend, in the order in which they run.
+const std::vector<BenchPart>& bench_parts(BackendKind backend);
 
 /// This machine and this program.
 BenchMachine bench_machine(const BenchSettings& settings);

@@ -108,15 +108,29 @@ BenchFlow cube_on_floor(const PairSweeps& sweeps, Method method, int side, int t
   return flow;
 }
 
-BenchFlow layer_flow(Method method, int side, int threads) {
+namespace {
+
+BenchFlow sliding_layer(BackendKind backend, Method method, int cells, int side, int threads) {
   const FlowModel model = debris_model(method, threads);
   BenchFlow flow;
-  flow.backend = Layer{model, depth, side}.make();
-  make_hydrostatic(*flow.backend, depth * model.spacing);
+  flow.backend = Layer{model, cells, side}.make(backend);
+  make_hydrostatic(*flow.backend, cells * model.spacing);
   for (Vec3d& velocity : flow.backend->fluid().velocity)
     velocity = {start_speed * model.state.c0, 0, 0};
   finish(flow, debris_numerics(method, threads));
   return flow;
+}
+
+}  // namespace
+
+BenchFlow layer_flow(Method method, int side, int threads) {
+  return sliding_layer(BackendKind::cpu, method, depth, side, threads);
+}
+
+FlowModel layer_model(Method method) { return debris_model(method, 0); }
+
+BenchFlow deep_layer_flow(BackendKind backend, Method method, int cells, int side) {
+  return sliding_layer(backend, method, cells, side, 0);
 }
 
 int smallest_map_side(int side) {

@@ -18,7 +18,7 @@ struct BenchFlow {
   std::unique_ptr<Backend> backend;
   std::unique_ptr<Stepper> stepper;
 
-  std::size_t particles() const { return backend->fluid().size() + backend->boundary().size(); }
+  std::size_t particles() const { return backend->fluid_count() + backend->boundary_count(); }
 };
 
 // Debris flows: a Cross fluid with Mohr-Coulomb yield, everything else as the defaults of a case.
@@ -32,6 +32,13 @@ BenchFlow cube_on_floor(const PairSweeps& sweeps, Method method, int side, int t
 
 /// A layer five particles deep on a level floor, periodic in plan, `side` x `side` columns.
 BenchFlow layer_flow(Method method, int side, int threads);
+
+/// The model of layers.
+FlowModel layer_model(Method method);
+
+/// A layer `cells` particles deep on a level floor, periodic in plan, `side` x `side` columns, on
+/// any backend.
+BenchFlow deep_layer_flow(BackendKind backend, Method method, int cells, int side);
 
 /// A layer five particles deep and `side` x `side` columns wide that slides over rough terrain, in
 /// the middle of a map of `map_side` x `map_side` cells as large as particles.

@@ -21,10 +21,10 @@ struct Words<WallLaw> {
   static constexpr std::array<std::string_view, 4> list{"no_slip", "coulomb", "voellmy", "slip"};
 };
 
-enum class BackendKind { reference, cpu };
+enum class BackendKind { reference, cpu, cuda };
 template <>
 struct Words<BackendKind> {
-  static constexpr std::array<std::string_view, 2> list{"reference", "cpu"};
+  static constexpr std::array<std::string_view, 3> list{"reference", "cpu", "cuda"};
 };
 
 struct NumericsCase {
@@ -69,7 +69,10 @@ struct NumericsCase {
           "fast: implicit viscosity and wall friction, large steps; paper: as published in 2016"},
       method);
     if constexpr (SetsMembers<V>) take_method();
-    v(Key{"backend", "", "where the particle loops run: cpu, or reference (serial, all pairs)"},
+    v(Key{"backend", "",
+          "where the particle loops run: cpu, cuda (an NVIDIA graphics card), or reference "
+          "(serial, all "
+          "pairs)"},
       backend);
     v(Key{"threads", "", "number of threads; 0 takes all. The results do not depend on it"}
           .at_least(0)

@@ -42,7 +42,7 @@ struct Tait {
   }
 
   /// Density at a pressure above -B, kg/m3.
-  double density(double p) const { return rho0 * std::pow(1 + p / b(), 1.0 / 7); }
+  SABO_HD double density(double p) const { return rho0 * std::pow(1 + p / b(), 1.0 / 7); }
 };
 
 }  // namespace sabo

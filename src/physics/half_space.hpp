@@ -5,6 +5,7 @@
 #include <cmath>
 #include <functional>
 
+#include "base/host_device.hpp"
 #include "physics/kernel.hpp"
 
 namespace sabo {
@@ -33,14 +34,14 @@ class HalfSpace {
   /// share of its kernel to what it would be without the surface, from the relative gradient of the
   /// filled share (1/m). Both shares grow alike where particles crowd, which leaves the gradient
   /// relative to the share to tell the distance to the surface. 1 inside, 2 at the surface.
-  double completion(double relative_gradient) const {
+  SABO_HD double completion(double relative_gradient) const {
     const double at = std::min(relative_gradient / steepest_, 1.0) * entries;
     const int k = std::min(static_cast<int>(at), entries - 1);
     return completion_[k] + (at - k) * (completion_[k + 1] - completion_[k]);
   }
 
   /// S at the distance d >= 0 (m): 1/2 at the wall, 0 from 2h on.
-  double share(double d) const {
+  SABO_HD double share(double d) const {
     const double at = std::min(d / radius_, 1.0) * entries;
     const int k = std::min(static_cast<int>(at), entries - 1);
     return share_[k] + (at - k) * (share_[k + 1] - share_[k]);
@@ -48,7 +49,7 @@ class HalfSpace {
 
   /// The distance at which the particles of a plane wall take the share S, m; 0 for those that
   /// belong to places within the wall.
-  double distance(double share) const {
+  SABO_HD double distance(double share) const {
     if (share >= layered_.front()) return 0;
     const auto above = std::upper_bound(layered_.begin(), layered_.end(), share, std::greater<>());
     if (above == layered_.end()) return radius_;
@@ -77,7 +78,7 @@ class HalfSpace {
     return far;
   }
 
-  double place(int k) const { return radius_ * k / entries; }
+  SABO_HD double place(int k) const { return radius_ * k / entries; }
 
   /// Over spheres (circles) of radius r around the particle, of which the wall cuts off a cap:
   /// int W 2 pi r (r - d) dr in three dimensions, int W 2 r acos(d/r) dr in two.

@@ -27,7 +27,7 @@ struct MohrCoulomb {
   }
 
   /// Pa per Pa of pressure.
-  double slope() const {
+  SABO_HD double slope() const {
     return (1 - pore_pressure_ratio) * std::tan(friction_angle * 3.14159265358979323846 / 180);
   }
 

@@ -145,8 +145,8 @@ CostSample measure(Flow& flow, double duration) {
   CostSample sample;
   sample.list_seconds = list_time(times).one;
   sample.step_seconds = lower_quartile(steps);
-  sample.fluid = flow.backend().fluid().size();
-  sample.boundary = flow.backend().boundary().size();
+  sample.fluid = flow.backend().fluid_count();
+  sample.boundary = flow.backend().boundary_count();
   sample.dt = report.dt;
   sample.speed = report.flow.speed;
   sample.sound_speed = report.sound_speed;
@@ -212,11 +212,15 @@ CostForecast measured_forecast(const Case& c, const Scene& scene) {
   if (is_fast && c.numerics.adaptive_sound_speed)
     outlook.sound_factor = c.numerics.sound_speed_factor;
   outlook.list_reach = flow.backend().list_radius() - model.kernel_radius();
+  // There a list lasts until two particles may have moved against each other by its skin.
+  const bool on_card = c.numerics.backend == BackendKind::cuda;
+  if (on_card) outlook.list_reach /= 2;
   outlook.top_speed = speed_bound(c, scene);
   outlook.fluid = mean_particles(c, scene);
   outlook.latest_ground = expected_boundary(model, scene.particles_until(c.run.duration));
   CostForecast result = forecast(measure(flow, c.run.duration), outlook);
   result.threads = model.threads > 0 ? model.threads : omp_get_max_threads();
+  result.on_card = on_card;
   result.is_busy = load + result.threads > omp_get_num_procs() + 0.5;
   return result;
 }
@@ -231,8 +235,10 @@ std::string forecast_text(const CostForecast& forecast) {
     return seconds < 9.5 * u ? fmt::format("{:.1g}", seconds / u)
                              : fmt::format("{:.0f}", seconds / u);
   };
-  return fmt::format("about {} {} on {} thread{} ({} to {} {}), {} steps of {:.2g} ms", number(s),
-                     name, forecast.threads, forecast.threads == 1 ? "" : "s",
+  const std::string on = forecast.on_card ? "the graphics card"
+                                          : fmt::format("{} thread{}", forecast.threads,
+                                                        forecast.threads == 1 ? "" : "s");
+  return fmt::format("about {} {} on {} ({} to {} {}), {} steps of {:.2g} ms", number(s), name, on,
                      number(s / forecast_factor), number(s * forecast_factor), name,
                      count_text(forecast.steps), 1e3 * forecast.dt) +
          (forecast.is_busy ? "; uncertain, for other programs run beside it" : "");

@@ -39,6 +39,7 @@ struct CostForecast {
   double dt = 0;  ///< mean, s
   int threads = 1;
   bool is_busy = false;  ///< other programs ran while it was measured
+  bool on_card = false;  ///< a graphics card runs it
 };
 
 /// How far the truth may be from the forecast, either way.

@@ -18,12 +18,41 @@ constexpr double late_depth = 1.5;         // particles
 constexpr double late_length = 10;         // of the flow, over its width
 constexpr double ground_beside_flow = 11;  // spacings across: a list's radius and half a tile each
 
+// Of the backend cuda (backend/device/device_backend.hpp), by what is allocated; per particle.
+constexpr double card_bytes_of_any = 126 + 9;      // fields; numbers of neighbours
+constexpr double card_bytes_of_fluid = 32 + 29;    // rates; place at the last list, whether awake
+constexpr double card_bytes_of_fast = 380;         // strain, walls, filling, solver, records
+constexpr double card_bytes_of_paper = 256;        // strain, stress, start of the step, records
+constexpr double card_bytes_of_ground_fast = 112;  // density rate, records, weights
+constexpr double card_bytes_of_ground_paper = 208;
+constexpr double card_bytes_of_index = 4;
+constexpr double slice_filling = 0.85;  // rows of a slice are as long as its longest
+constexpr double card_radius_over_kernel = 1.1;
+constexpr double ground_neighbours = 0.2;  // over those of the fluid, for most ground has none
+
 }  // namespace
 
 double expected_boundary(const FlowModel& model, std::size_t particles) {
   const double layers = std::ceil(model.kernel_radius() / model.spacing);
   const double width = std::sqrt(static_cast<double>(particles) / late_depth / late_length);
   return (width + ground_beside_flow) * (late_length * width + ground_beside_flow) * layers;
+}
+
+double card_memory(const FlowModel& model, Method method, double fluid, double boundary) {
+  const double radius = card_radius_over_kernel * model.kernel_radius() / model.spacing;
+  const double neighbours = 4.0 / 3.0 * std::numbers::pi * radius * radius * radius;
+  const double list = neighbours * card_bytes_of_index / slice_filling;
+  const bool is_fast = method == Method::fast;
+  const double of_fluid = card_bytes_of_any + card_bytes_of_fluid + list +
+                          (is_fast ? card_bytes_of_fast : card_bytes_of_paper);
+  const double of_ground = card_bytes_of_any + ground_neighbours * list +
+                           (is_fast ? card_bytes_of_ground_fast : card_bytes_of_ground_paper);
+  return fluid * of_fluid + boundary * of_ground;
+}
+
+double expected_card_memory(const FlowModel& model, Method method, std::size_t particles) {
+  return card_memory(model, method, static_cast<double>(particles),
+                     expected_boundary(model, particles));
 }
 
 double expected_memory(const FlowModel& model, Method method, std::size_t particles,

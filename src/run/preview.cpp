@@ -12,6 +12,7 @@
 
 #include "analysis/resolution.hpp"
 #include "analysis/zone.hpp"
+#include "backend/cuda/graphics_card.hpp"
 #include "case/material_presets.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
@@ -22,6 +23,7 @@
 #include "run/preview_lines.hpp"
 #include "run/preview_structures.hpp"
 #include "solver/flow_model.hpp"
+#include "solver/make_backend.hpp"
 
 namespace sabo {
 namespace {
@@ -203,6 +205,23 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
     tell_paper_step(preview, c, model);
 }
 
+void tell_card_memory(Preview& preview, const Case& c, const Scene& scene, const FlowModel& model) {
+  const double needed = expected_card_memory(model, c.numerics.method, scene.release.size());
+  const std::string text = fmt::format("about {:.0f} MB of the graphics card", needed / 1e6);
+  if (const std::string fault = missing_backend(BackendKind::cuda); !fault.empty()) {
+    preview.line("Memory", text);
+    preview.warn(fmt::format("numerics.backend: {}; use --backend cpu", fault));
+    return;
+  }
+  const GraphicsCard card = graphics_card();
+  preview.line("Memory", fmt::format("{}, of {:.0f} MB that are free on {}", text,
+                                     card.free_memory / 1e6, card.name));
+  if (needed > card.free_memory)
+    preview.warn(
+        "the run will not fit into the memory of the graphics card; raise "
+        "numerics.spacing, or use --backend cpu");
+}
+
 }  // namespace
 
 std::string preview_text(const Case& c, const Scene& scene, const std::string& time) {
@@ -225,6 +244,7 @@ std::string preview_text(const Case& c, const Scene& scene, const std::string& t
                                      expected_memory(model, c.numerics.method, particles,
                                                      scene.surface->elevation().grid.size()) /
                                          1e6));
+  if (c.numerics.backend == BackendKind::cuda) tell_card_memory(preview, c, scene, model);
   if (!time.empty()) preview.line("Time", time);
   return preview.text();
 }

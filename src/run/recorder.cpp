@@ -93,6 +93,7 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       maps_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
       sampling_distance_(std::max({scene.surface->elevation().grid.dx,
                                    scene.surface->elevation().grid.dy, c.numerics.spacing})),
+      look_distance_(0.5 * c.numerics.spacing),
       has_dams_(!scene.check_dams().empty()),
       has_places_(!scene.zones.empty() || !scene.gauges.empty() || !loads_.is_empty()),
       has_dynamic_walls_(c.numerics.method == Method::paper),
@@ -139,6 +140,7 @@ void Recorder::start(double time, const Particles& fluid, const Particles& relea
 void Recorder::follow(const Particles& fluid) {
   for (const VolumeLedger& ledger : ledgers_)
     if (!ledger.knows(fluid)) throw RunError("holds particles that were never released");
+  if (unseen_ > 0) return;
   tracks_ = {};
   tracks_.advance(fluid);
 }
@@ -154,13 +156,25 @@ void Recorder::after_entry(Domain& domain, const Tait& state) {
 
 void Recorder::after_step(const Stepper& stepper, const StepReport& report, Backend& backend) {
   const double time = stepper.time();
-  const Particles& fluid = backend.fluid();
+  loads_.after_step(stepper, report, backend);
+  const double way = report.flow.speed * report.dt;
+  travelled_ += way;
+  unseen_ += way;
+  const bool is_copied = backend.device_bytes() > 0;
+  if (is_copied && unseen_ < look_distance_ && travelled_ < sampling_distance_ &&
+      !rest_.is_due(time))
+    return;
+  look(time, backend.fluid());
+}
+
+/// Where the particles are now, and which lines they have crossed on the straight way from where
+/// they were at the last look. One that costs a copy is not taken at every step.
+void Recorder::look(double time, const Particles& fluid) {
   const std::vector<Vec3d>& before = tracks_.advance(fluid);
+  unseen_ = 0;
   for (Section& section : sections_) section.record(before, fluid, model_.state.rho0);
   for (VolumeLedger& ledger : ledgers_) ledger.record(before, fluid);
-  loads_.after_step(stepper, report, backend);
   if (rest_.is_due(time)) rest_.update(time, fluid);
-  travelled_ += report.flow.speed * report.dt;
   if (travelled_ < sampling_distance_) return;
   maps_.update(time, fluid);
   travelled_ = 0;
@@ -178,6 +192,7 @@ void Recorder::after_renewal(Domain& domain, const Tait& state) {
 }
 
 void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backend& backend) {
+  if (unseen_ > 0) look(stepper.time(), backend.fluid());
   SeriesRow row;
   row.time = stepper.time();
   const double interval = rows_.empty() ? 0 : row.time - rows_.back().time;
@@ -251,8 +266,8 @@ void Recorder::write_solver_row(const Stepper& stepper, const StepReport& report
   const FlowHealth health = backend.health();
   solver_csv_.append({stepper.time(), static_cast<double>(stepper.steps()), report.dt,
                       report.flow.speed, health.min_density_ratio, health.max_density_ratio,
-                      static_cast<double>(backend.fluid().size()),
-                      static_cast<double>(backend.boundary().size()), report.sound_speed,
+                      static_cast<double>(backend.fluid_count()),
+                      static_cast<double>(backend.boundary_count()), report.sound_speed,
                       static_cast<double>(report.iterations),
                       static_cast<double>(backend.asleep_count())});
 }

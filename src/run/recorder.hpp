@@ -95,17 +95,19 @@ class Recorder {
     a.mark("recorder");
     a.fixed(sections_);
     a.fixed(ledgers_);
-    a(section_states_, gauges_, fillings_, loads_, front_, rest_, maps_, travelled_, put_back_seen_,
-      left_, freed_, rows_);
+    a(section_states_, gauges_, fillings_, loads_, front_, rest_, maps_, travelled_, unseen_,
+      put_back_seen_, left_, freed_, rows_);
+    if (unseen_ > 0) a(tracks_);
     a.fixed(inflows_);
     a(front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_, solver_csv_);
   }
 
-  /// From now on paths of particles start where they are. Throws RunError for particles that were
-  /// never released.
+  /// After archive(): paths of particles start where they are unless there has been a step since the
+  /// last look at them. Throws RunError for particles that were never released.
   void follow(const Particles& fluid);
 
  private:
+  void look(double time, const Particles& fluid);
   void write_zones(SeriesRow& row);
   void write_solver_row(const Stepper& stepper, const StepReport& report, Backend& backend);
 
@@ -123,6 +125,8 @@ class Recorder {
   RestWatch rest_;
   FlowMaps maps_;
   double sampling_distance_;  // m
+  double look_distance_;      // m
+  double unseen_ = 0;         // way of the fastest particle since the tracks were advanced, m
   double travelled_ = 0;      // by the fastest particle since the maps were sampled, m
   std::size_t put_back_seen_ = 0;
   bool has_dams_;

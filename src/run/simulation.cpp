@@ -24,6 +24,7 @@
 #include "run/run_folder.hpp"
 #include "run/scene_record.hpp"
 #include "run/view.hpp"
+#include "solver/make_backend.hpp"
 
 namespace sabo {
 namespace {
@@ -92,7 +93,7 @@ class Simulation {
     while (true) {
       const double time = flow_.stepper().time();
       const bool is_empty =
-          flow_.backend().fluid().size() == 0 && flow_.domain().inflows_are_over(time);
+          flow_.backend().fluid_count() == 0 && flow_.domain().inflows_are_over(time);
       const bool is_at_rest = case_.run.stop_at_rest && recorder_.motion().is_at_rest;
       const bool is_over = time >= duration || is_empty || is_at_rest;
       // An inflow that has just changed the particles is left a step, so that it can be resumed.
@@ -189,8 +190,8 @@ class Simulation {
                          wall(),
                          flow_.stepper().steps(),
                          report_.dt,
-                         flow_.backend().fluid().size(),
-                         flow_.backend().boundary().size(),
+                         flow_.backend().fluid_count(),
+                         flow_.backend().boundary_count(),
                          report_.flow.speed,
                          {},
                          {}};
@@ -258,7 +259,7 @@ class Simulation {
     facts_.motion = recorder_.motion();
     facts_.loads = recorder_.loads();
     facts_.basins = recorder_.basins();
-    facts_.boundary_particles = flow_.backend().boundary().size();
+    facts_.boundary_particles = flow_.backend().boundary_count();
     facts_.resolution = resolution_guard(maps.peak_depth, flow_.model().spacing);
     for (const double mass : flow_.backend().fluid().mass)
       facts_.particle_volume += mass / flow_.model().state.rho0;
@@ -317,6 +318,7 @@ std::unique_ptr<Simulation> resumed(const Case& c, const Scene& scene, const Run
 }  // namespace
 
 RunResult run_case(const Case& c, const RunOptions& given) {
+  require_backend(c.numerics.backend);
   RunOptions options = given;
   if (!options.on_note) options.on_note = [](const std::string&) {};
   const bool goes_on = options.former == FormerRun::resumed;

@@ -122,11 +122,9 @@ StructureLoads::StructureLoads(const LoadCase& settings, const Scene& scene, con
 void StructureLoads::after_step(const Stepper& stepper, const StepReport& report,
                                 Backend& backend) {
   if (is_empty()) return;
-  const Particles& boundary = backend.boundary();
   for (const BodyForce& at : backend.body_forces()) {
     if (at.force == Vec3d{}) continue;
-    structures_[boundary.body[at.particle] - 1u].profile.add(boundary.position[at.particle],
-                                                             report.dt * at.force);
+    structures_[at.body - 1].profile.add(at.position, report.dt * at.force);
   }
   const std::vector<BodyLoad>& impulses = stepper.body_impulses();
   for (std::size_t k = 0; k < impulses.size(); ++k)
@@ -136,10 +134,8 @@ void StructureLoads::after_step(const Stepper& stepper, const StepReport& report
 std::vector<LoadRow> StructureLoads::write_row(double time, const Stepper& stepper,
                                                Backend& backend, const Columns& columns) {
   std::vector<LoadRow> list;
-  const Particles& boundary = backend.boundary();
   for (const BodyForce& at : backend.body_forces())
-    if (at.force != Vec3d{})
-      structures_[boundary.body[at.particle] - 1u].profile.touch(boundary.position[at.particle]);
+    if (at.force != Vec3d{}) structures_[at.body - 1].profile.touch(at.position);
   const std::vector<BodyLoad>& impulses = stepper.body_impulses();
   std::vector<double> row{time};
   for (std::size_t k = 0; k < structures_.size(); ++k)

@@ -79,15 +79,23 @@ void make_hydrostatic(Backend& backend, double surface) {
     fluid.density[i] = state.density(state.rho0 * g * (surface - fluid.position[i].z));
 }
 
-std::unique_ptr<Backend> Layer::make(BackendKind kind) const {
+FlowModel Layer::periodic_model() const {
   FlowModel periodic = model;
   periodic.periodic.period[0] = {period * model.spacing, 0, 0};
   if (model.dimension == 3) periodic.periodic.period[1] = {0, period * model.spacing, 0};
-  auto backend = make_backend(kind, periodic);
+  return periodic;
+}
+
+void Layer::fill(Backend& backend) const {
   const int layers = model.wall_layers();
-  add_block(backend->fluid(), model, {0, period, 0, period, 0, cells});
-  add_block(backend->boundary(), model, {0, period, 0, period, -layers, 0});
-  if (has_lid) add_block(backend->boundary(), model, {0, period, 0, period, cells, cells + layers});
+  add_block(backend.fluid(), model, {0, period, 0, period, 0, cells});
+  add_block(backend.boundary(), model, {0, period, 0, period, -layers, 0});
+  if (has_lid) add_block(backend.boundary(), model, {0, period, 0, period, cells, cells + layers});
+}
+
+std::unique_ptr<Backend> Layer::make(BackendKind kind) const {
+  auto backend = make_backend(kind, periodic_model());
+  fill(*backend);
   return backend;
 }
 

@@ -56,6 +56,9 @@ struct Layer {
   bool has_lid = false;  ///< boundary particles above as below
 
   std::unique_ptr<Backend> make(BackendKind kind = BackendKind::cpu) const;
+  /// The two parts of that.
+  FlowModel periodic_model() const;
+  void fill(Backend& backend) const;
 };
 
 }  // namespace sabo

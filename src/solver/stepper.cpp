@@ -15,7 +15,8 @@ StepReport Stepper::step(double longest) {
   const std::vector<BodyLoad>& loads = backend_.body_loads();
   body_impulses_.resize(loads.size());
   for (std::size_t k = 0; k < loads.size(); ++k) body_impulses_[k] += report.dt * loads[k];
-  if (domain_ &&
+  // fluid() may cost a copy.
+  if (domain_ && !domain_->inflows().empty() &&
       domain_->advance_inflows(backend_.fluid(), backend_.model().state, time_, report.dt))
     particles_changed_ = true;
   check_health();

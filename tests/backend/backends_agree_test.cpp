@@ -2,6 +2,7 @@
 #include <memory>
 #include <tuple>
 
+#include "support/backends.hpp"
 #include "support/clouds.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
@@ -18,6 +19,7 @@ using test::difference;
 using test::fill;
 using test::in_cloud;
 using test::offset_of;
+using test::On;
 
 /// The switches of a run that change which sums are taken.
 struct Switches {
@@ -88,21 +90,25 @@ void expect_close(const Rates& a, const Rates& b, double tolerance) {
   EXPECT_NEAR(b.dissipation / a.dissipation, 1, 100 * tolerance);
 }
 
-void expect_every_instruction_set_agrees(const FlowModel& plain, Cloud cloud) {
+void expect_every_backend_agrees(const FlowModel& plain, Cloud cloud) {
   const FlowModel model = in_cloud(plain, cloud);
   const Rates expected = rates_in(std::make_unique<ReferenceBackend>(model), cloud);
   for (const PairSweeps* sweeps : all_pair_sweeps()) {
     SCOPED_TRACE(sweeps->instruction_set);
     expect_close(expected, rates_in(std::make_unique<CpuBackend>(model, *sweeps), cloud), 2e-6);
   }
+  for (const On on : test::backends()) {
+    SCOPED_TRACE(test::word_of(on));
+    expect_close(expected, rates_in(test::make_backend(on, model), cloud), 2e-6);
+  }
 }
 
 class Backends : public testing::TestWithParam<std::tuple<ViscousOperator, BoundaryStress, Cloud>> {
 };
 
-TEST_P(Backends, AgreeToSinglePrecisionOnEveryInstructionSet) {
+TEST_P(Backends, AgreeToSinglePrecision) {
   const auto [op, wall, cloud] = GetParam();
-  expect_every_instruction_set_agrees(model_of({op, wall}), cloud);
+  expect_every_backend_agrees(model_of({op, wall}), cloud);
 }
 
 INSTANTIATE_TEST_SUITE_P(
@@ -126,11 +132,10 @@ TEST(Backends, AgreeForEveryOtherSwitch) {
   flat.dimension = 2;
   for (const Switches& switches : {plain, plain_morris, printed, printed_morris, flat})
     for (const Cloud cloud : {Cloud::free, Cloud::periodic})
-      expect_every_instruction_set_agrees(model_of(switches), cloud);
+      expect_every_backend_agrees(model_of(switches), cloud);
   FlowModel central = model_of({});
   central.central = {30, {0.2, 0.5, -0.4}};
-  for (const Cloud cloud : {Cloud::free, Cloud::far})
-    expect_every_instruction_set_agrees(central, cloud);
+  for (const Cloud cloud : {Cloud::free, Cloud::far}) expect_every_backend_agrees(central, cloud);
 }
 
 TEST(CpuBackend, GivesTheSameBitsForAnyNumberOfThreads) {
@@ -151,8 +156,8 @@ TEST(CpuBackend, GivesTheSameBitsForAnyNumberOfThreads) {
 }
 
 TEST(Boundary, TakesThePressureOfTheFluidCarriedAlongGravity) {
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
-    auto backend = make_backend(kind, model_of({}));
+  for (const On on : test::backends()) {
+    auto backend = test::make_backend(on, model_of({}));
     add_particle(backend->fluid(), backend->model(), {0, 0, 0.1});
     add_particle(backend->boundary(), backend->model(), {0, 0, 0});
     add_particle(backend->boundary(), backend->model(), {5, 0, 0});
@@ -169,10 +174,13 @@ TEST(Boundary, TakesThePressureOfTheFluidCarriedAlongGravity) {
   }
 }
 
-TEST(CpuBackend, RefusesAPeriodShorterThanTwoKernels) {
+TEST(Backends, RefuseAPeriodShorterThanTwoKernels) {
   FlowModel model = model_of({});
-  model.periodic.period[0] = {0.65, 0, 0};  // 4.33 h; two images fit below 4.6 h
-  EXPECT_ANY_THROW(make_backend(BackendKind::cpu, model));
+  model.periodic.period[0] = {0.65, 0, 0};  // 4.33 h; two images fit below 4.4 h
+  for (const On on : test::backends()) {
+    if (on == On::reference) continue;
+    EXPECT_ANY_THROW(test::make_backend(on, model)) << test::word_of(on);
+  }
 }
 
 TEST(Momentum, IsConservedByTheInternalForces) {
@@ -199,8 +207,8 @@ TEST(Momentum, IsConservedByTheInternalForces) {
 }
 
 TEST(Extremes, LeaveOutAParticleInFreeFlight) {
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
-    auto backend = make_backend(kind, model_of({}));
+  for (const On on : test::backends()) {
+    auto backend = test::make_backend(on, model_of({}));
     fill(*backend, {});
     add_particle(backend->fluid(), backend->model(), {5, 5, 5}, {0, 0, -100});
     backend->find_neighbours();

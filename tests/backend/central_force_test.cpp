@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
@@ -9,7 +10,6 @@ namespace sabo {
 namespace {
 
 constexpr double strength = 4;  // 1/s2
-constexpr BackendKind both_kinds[] = {BackendKind::reference, BackendKind::cpu};
 
 FlowModel free_model() {
   FlowModel model = test::plain_model(0.1, 20, 0);
@@ -32,9 +32,9 @@ void evaluate(Method method, Backend& backend) {
 }
 
 TEST(CentralForce, PullsEachParticleOfAPairTowardsItsOrigin) {
-  for (const BackendKind kind : both_kinds)
+  for (const test::On kind : test::backends())
     for (const Method method : test::both_methods) {
-      const auto backend = make_backend(kind, free_model());
+      const auto backend = test::make_backend(kind, free_model());
       // Farther apart than the kernel, so that nothing else acts.
       test::add_particle(backend->fluid(), backend->model(), {1.5, 2, 3});
       test::add_particle(backend->fluid(), backend->model(), {1, 2, 2.5});
@@ -48,9 +48,9 @@ TEST(CentralForce, PullsEachParticleOfAPairTowardsItsOrigin) {
 
 // Forces between particles add up to nothing: sum m a = sum m (g - s (x - o)).
 TEST(CentralForce, GivesAFlowTheMomentumOfItsMoments) {
-  for (const BackendKind kind : both_kinds)
+  for (const test::On kind : test::backends())
     for (const Method method : test::both_methods) {
-      const auto backend = make_backend(kind, free_model());
+      const auto backend = test::make_backend(kind, free_model());
       test::add_block(backend->fluid(), backend->model(), {0, 6, 0, 5, 0, 4});
       for (std::size_t i = 0; i < backend->fluid().size(); ++i)
         backend->fluid().density[i] *= 1 + 0.01 * std::sin(double(i));
@@ -65,8 +65,8 @@ TEST(CentralForce, GivesAFlowTheMomentumOfItsMoments) {
 }
 
 TEST(CentralForce, IsNoHeat) {
-  for (const BackendKind kind : both_kinds) {
-    const auto backend = make_backend(kind, free_model());
+  for (const test::On kind : test::backends()) {
+    const auto backend = test::make_backend(kind, free_model());
     test::add_block(backend->fluid(), backend->model(), {0, 4, 0, 4, 0, 4});
     for (Vec3d& v : backend->fluid().velocity) v = {1, 2, 3};
     evaluate(Method::paper, *backend);
@@ -76,11 +76,11 @@ TEST(CentralForce, IsNoHeat) {
 
 // One particle swings along x with the amplitude 0.5 m; its energy (v^2 + s x^2) / 2 is 0.5 J/kg.
 TEST(CentralForce, KeepsTheEnergyOfAnOscillation) {
-  for (const BackendKind kind : both_kinds)
+  for (const test::On kind : test::backends())
     for (const Method method : test::both_methods) {
       FlowModel model = free_model();
       model.gravity = {};
-      const auto backend = make_backend(kind, model);
+      const auto backend = test::make_backend(kind, model);
       test::add_particle(backend->fluid(), model, {1.5, 2, 3});
       const auto stepper = test::stepper_of(method, *backend);
       const double period = M_PI;  // 2 pi / sqrt(4)
@@ -94,8 +94,8 @@ TEST(CentralForce, KeepsTheEnergyOfAnOscillation) {
 
 // A wall takes the pressure of the only fluid near it, carried along the force at its own place.
 TEST(CentralForce, CarriesPressureToWalls) {
-  for (const BackendKind kind : both_kinds) {
-    const auto backend = make_backend(kind, free_model());
+  for (const test::On kind : test::backends()) {
+    const auto backend = test::make_backend(kind, free_model());
     test::add_particle(backend->fluid(), backend->model(), {1.4, 2, 3});
     test::add_particle(backend->boundary(), backend->model(), {1.5, 2, 3});
     backend->fluid().density[0] = 1001;

@@ -3,6 +3,7 @@
 #include <memory>
 #include <random>
 
+#include "support/backends.hpp"
 #include "support/clouds.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
@@ -144,8 +145,8 @@ TEST(WallArea, AddsUpToThatOfASlopeOfTheDem) {
 
 // Forces between particles come in pairs, so the sum of momentum does not change.
 TEST(ImplicitStep, KeepsMomentumWithoutWalls) {
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
-    auto backend = make_backend(kind, viscous(5));
+  for (const test::On kind : test::backends()) {
+    auto backend = test::make_backend(kind, viscous(5));
     test::fill(*backend, {});
     backend->boundary().resize(0);
     set_viscosity(backend->fluid(), 5);
@@ -156,7 +157,7 @@ TEST(ImplicitStep, KeepsMomentumWithoutWalls) {
     // Whatever the solve leaves undone: speeds are about 1 m/s.
     const ViscousSolve solve = backend->advance_velocity(0.01, 1e-3, 500);
     ASSERT_TRUE(solve.converged && solve.iterations > 0);
-    const double tolerance = kind == BackendKind::reference ? 1e-14 : 1e-8;
+    const double tolerance = kind == test::On::reference ? 1e-14 : 1e-8;
     EXPECT_LT(norm(momentum_of(backend->fluid()) - before), tolerance * scale);
   }
 }
@@ -205,10 +206,10 @@ std::vector<double> dense_step(const Opened& backend, const Particles& fluid, do
 
 // A block slides along a bed without pressure or viscosity: nothing may hold it back.
 TEST(ArtificialViscosity, IsNoFrictionAtWalls) {
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+  for (const test::On kind : test::backends()) {
     FlowModel model = viscous(0);
     model.artificial_viscosity = 0.05;
-    auto backend = make_backend(kind, model);
+    auto backend = test::make_backend(kind, model);
     test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 3});
     test::add_block(backend->boundary(), model, {-4, 8, -4, 8, -3, 0});
     for (Vec3d& v : backend->fluid().velocity) v = {2, 0, 0};
@@ -284,10 +285,10 @@ TEST(WallResistance, IsThatOfTheWholeVelocity) {
 }
 
 TEST(ImplicitStep, WithoutViscosityIsTheExplicitOne) {
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+  for (const test::On kind : test::backends()) {
     FlowModel model = viscous(0);
     model.gravity = {0, 0, -9.81};
-    auto backend = make_backend(kind, model);
+    auto backend = test::make_backend(kind, model);
     test::fill(*backend, {});
     set_viscosity(backend->fluid(), 0);
     prepare(*backend);
@@ -302,8 +303,8 @@ TEST(ImplicitStep, WithoutViscosityIsTheExplicitOne) {
 }
 
 TEST(ImplicitStep, LeavesTheStateAsItWasWhenItFails) {
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
-    auto backend = make_backend(kind, viscous(1e4));
+  for (const test::On kind : test::backends()) {
+    auto backend = test::make_backend(kind, viscous(1e4));
     test::fill(*backend, {});
     set_viscosity(backend->fluid(), 1e4);
     prepare(*backend);

@@ -3,6 +3,7 @@
 #include <set>
 #include <tuple>
 
+#include "support/backends.hpp"
 #include "support/clouds.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
@@ -67,9 +68,9 @@ template <class B>
 Step step_of(B&& backend, Cloud cloud) {
   test::fill(backend, offset_of(cloud, backend.model()));
   // Some viscosity to start from, different everywhere.
-  Particles& fluid = backend.fluid();
-  for (std::size_t i = 0; i < fluid.size(); ++i)
-    fluid.viscosity[i] = 5 + 4 * std::sin(double(fluid.id[i]));
+  Particles& start = backend.fluid();
+  for (std::size_t i = 0; i < start.size(); ++i)
+    start.viscosity[i] = 5 + 4 * std::sin(double(start.id[i]));
   if (backend.model().walls_move)
     for (Vec3d& v : backend.boundary().velocity) v = {0.3, 0, 0.1};
   Step step;
@@ -86,13 +87,14 @@ Step step_of(B&& backend, Cloud cloud) {
   }
   backend.near_forces();
   backend.wall_resistance();
-  keep_forces(backend, fluid, backend.accelerations(), step);
+  keep_forces(backend, backend.fluid(), backend.accelerations(), step);
   const ViscousSolve solve = backend.advance_velocity(2e-3, 1e-8, 400);
   EXPECT_TRUE(solve.converged);
   step.heat = solve.heat;
   backend.near_motion();
-  keep_motion(backend, fluid, backend.density_rates(), step);
+  keep_motion(backend, backend.fluid(), backend.density_rates(), step);
   backend.advance_state(2e-3);
+  const Particles& fluid = backend.fluid();
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     const std::uint32_t id = fluid.id[i];
     step.position[id] = fluid.position[i] - offset_of(cloud, backend.model());
@@ -143,20 +145,22 @@ FlowModel model_of(int dimension, const WallShear& wall) {
   return model;
 }
 
-void expect_every_instruction_set_agrees(const FlowModel& plain, Cloud cloud) {
+void expect_every_backend_agrees(const FlowModel& plain, Cloud cloud) {
   const FlowModel model = test::in_cloud(plain, cloud);
   const Step expected = step_of(Opened<ReferenceBackend>(model), cloud);
   for (const PairSweeps* sweeps : all_pair_sweeps()) {
     SCOPED_TRACE(sweeps->instruction_set);
     expect_close(expected, step_of(Opened<CpuBackend>(model, *sweeps), cloud));
   }
+  SCOPED_TRACE("device");
+  expect_close(expected, step_of(Opened<DeviceBackendOnHost>(model), cloud));
 }
 
 class ImplicitSweeps : public testing::TestWithParam<std::tuple<int, Cloud, WallShear>> {};
 
-TEST_P(ImplicitSweeps, AgreeToSinglePrecisionOnEveryInstructionSet) {
+TEST_P(ImplicitSweeps, AgreeToSinglePrecision) {
   const auto& [dimension, cloud, wall] = GetParam();
-  expect_every_instruction_set_agrees(model_of(dimension, wall), cloud);
+  expect_every_backend_agrees(model_of(dimension, wall), cloud);
 }
 
 INSTANTIATE_TEST_SUITE_P(PlacesAndWalls, ImplicitSweeps,
@@ -178,7 +182,7 @@ TEST(ImplicitSweeps, AgreeForEveryOtherSwitch) {
   FlowModel central = model_of(3, NoSlip{});
   central.central = {30, {0.2, 0.5, -0.4}};
   for (const FlowModel& model : {artificial, moving, printed, shifted, central})
-    expect_every_instruction_set_agrees(model, Cloud::free);
+    expect_every_backend_agrees(model, Cloud::free);
 }
 
 }  // namespace

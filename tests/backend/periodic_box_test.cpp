@@ -1,6 +1,7 @@
 #include <map>
 #include <memory>
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
@@ -43,6 +44,7 @@ TEST(PeriodicBox, HasNoBordersInAnyDirection) {
   for (const int dimension : {2, 3}) {
     expect_no_borders<Opened<ReferenceBackend>>(dimension);
     expect_no_borders<Opened<CpuBackend>>(dimension);
+    expect_no_borders<Opened<DeviceBackendOnHost>>(dimension);
   }
 }
 

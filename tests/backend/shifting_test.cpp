@@ -3,13 +3,13 @@
 #include <map>
 #include <random>
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
 namespace sabo {
 namespace {
 
-constexpr BackendKind both_kinds[] = {BackendKind::reference, BackendKind::cpu};
 constexpr double dp = 0.1;
 
 FlowModel sheared(double shifting) {
@@ -39,10 +39,10 @@ struct State {
   double density = 0;  ///< mean
 };
 
-State stepped_once(BackendKind kind, double shifting, bool is_periodic) {
+State stepped_once(test::On kind, double shifting, bool is_periodic) {
   FlowModel model = sheared(shifting);
   if (is_periodic) model.periodic.period = {Vec3d{2, 0, 0}, Vec3d{}, Vec3d{0, 0, 2}};
-  const auto backend = make_backend(kind, model);
+  const auto backend = test::make_backend(kind, model);
   fill(*backend, 20);
   FastStepper stepper(*backend, test::fast_rule_of(model), nullptr);
   stepper.step(2e-3);
@@ -57,7 +57,7 @@ State stepped_once(BackendKind kind, double shifting, bool is_periodic) {
 }
 
 TEST(Shifting, MovesTheInsideALittleAndNothingElse) {
-  for (const BackendKind kind : both_kinds) {
+  for (const test::On kind : test::backends()) {
     const State plain = stepped_once(kind, 0, false), shifted = stepped_once(kind, 20, false);
     int moved = 0;
     for (const auto& [id, x] : plain.position) {
@@ -76,7 +76,7 @@ TEST(Shifting, MovesTheInsideALittleAndNothingElse) {
 
 // Density falls as the mean filling does, to first order in the shifts.
 TEST(Shifting, TakesFillingAndDensityBackTogether) {
-  for (const BackendKind kind : both_kinds) {
+  for (const test::On kind : test::backends()) {
     const State plain = stepped_once(kind, 0, true), shifted = stepped_once(kind, 4, true);
     const auto filling = [](const State& state) {
       const auto kernel = WendlandC2<double>::make(1.5 * dp, 2);
@@ -96,9 +96,9 @@ TEST(Shifting, TakesFillingAndDensityBackTogether) {
 }
 
 TEST(Shifting, LeavesAFlowWithoutStrainAlone) {
-  for (const BackendKind kind : both_kinds) {
+  for (const test::On kind : test::backends()) {
     FlowModel model = sheared(20);
-    const auto backend = make_backend(kind, model);
+    const auto backend = test::make_backend(kind, model);
     fill(*backend, 12);
     for (Vec3d& v : backend->fluid().velocity) v = {5, 0, 1};
     std::map<std::uint32_t, Vec3d> start;

@@ -13,16 +13,17 @@ struct Problem {
   ViscousSolver<double> solver;
   std::vector<double> mass{1, 1, 1, 1};
   std::vector<std::uint32_t> rows{0, 1, 2};
+  HostExecutor on;
 
   Problem() {
-    solver.reset(4);  // the fourth takes no part
+    solver.reset(on, 4);  // the fourth takes no part
     solver.residual = {{2, 3, 0}, {2, 1, 0}, {4, 1, 0}, {9, 9, 9}};
     solver.diagonal = {4, 3, 2, 1};
   }
 
   ViscousSolve solve(double tolerance, int most) {
-    return solver.solve(rows, mass, tolerance, most, 1, [this] {
-      ViscousSolver<double>::Dot sum{};
+    return solver.solve(on, {rows.data(), 3}, mass.data(), tolerance, most, [this] {
+      Dot sum;
       for (int i = 0; i < 3; ++i) {
         Quad<double> q{};
         for (int j = 0; j < 3; ++j) {
@@ -31,9 +32,7 @@ struct Problem {
         }
         solver.product[i] = q;
         const Quad<double>& p = solver.direction[i];
-        sum[0] += p.x * q.x;
-        sum[1] += p.y * q.y;
-        sum[2] += p.z * q.z;
+        sum.join({p.x * q.x, p.y * q.y, p.z * q.z});
       }
       return sum;
     });

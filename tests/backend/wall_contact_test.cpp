@@ -1,11 +1,9 @@
 #include <cmath>
 #include <random>
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
-
-#include "backend/backend.hpp"
-#include "solver/make_backend.hpp"
 
 namespace sabo {
 namespace {
@@ -13,7 +11,7 @@ namespace {
 // What the pressure of the fluid and of the walls takes from a motion is the power of compression,
 // sum of m p / rho0^2 drho/dt: nothing is lost to the walls, here two that a periodic fluid lies
 // between. Without weight, for what the weight adds to the pressure of a wall is not the fluid's.
-class WallContactOf : public ::testing::TestWithParam<BackendKind> {};
+class WallContactOf : public test::OnBackend {};
 
 TEST_P(WallContactOf, TurnsAllWorkOfPressureIntoCompression) {
   FlowModel model = test::plain_model(0.1, 30, 1);
@@ -21,7 +19,7 @@ TEST_P(WallContactOf, TurnsAllWorkOfPressureIntoCompression) {
   model.density_diffusion = 0;
   model.periodic.period[0] = {0.8, 0, 0};
   model.periodic.period[1] = {0, 0.8, 0};
-  const auto backend = make_backend(GetParam(), model);
+  const auto backend = test::make_backend(GetParam(), model);
   Particles& fluid = backend->fluid();
   test::add_block(fluid, model, {0, 8, 0, 8, 0, 5});
   test::add_block(backend->boundary(), model, {0, 8, 0, 8, -3, 0});
@@ -40,20 +38,18 @@ TEST_P(WallContactOf, TurnsAllWorkOfPressureIntoCompression) {
   backend->near_forces();
   backend->wall_resistance();
   backend->near_motion();
+  const Particles& after = backend->fluid();
   double work = 0, compression = 0;
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    work += fluid.mass[i] * dot(backend->accelerations()[i], fluid.velocity[i]);
-    compression += fluid.mass[i] * fluid.pressure[i] / 1e6 * backend->density_rates()[i];
+  for (std::size_t i = 0; i < after.size(); ++i) {
+    work += after.mass[i] * dot(backend->accelerations()[i], after.velocity[i]);
+    compression += after.mass[i] * after.pressure[i] / 1e6 * backend->density_rates()[i];
   }
   EXPECT_GT(std::abs(work), 10);  // W
   EXPECT_NEAR(compression, -work, 0.01 * std::abs(work));
 }
 
-INSTANTIATE_TEST_SUITE_P(Backends, WallContactOf,
-                         ::testing::Values(BackendKind::reference, BackendKind::cpu),
-                         [](const auto& test) {
-                           return test.param == BackendKind::cpu ? "cpu" : "reference";
-                         });
+INSTANTIATE_TEST_SUITE_P(Backends, WallContactOf, ::testing::ValuesIn(test::all_backends),
+                         test::name_of_backend);
 
 }  // namespace
 }  // namespace sabo

@@ -81,6 +81,8 @@ TEST(CostForecast, GrowsWithTheGroundAndTheWholeRelease) {
 TEST(CostForecast, IsSaidWithItsRange) {
   EXPECT_EQ(forecast_text({360, 33000, 0.009, 2}),
             "about 6 min on 2 threads (3 to 12 min), 33 thousand steps of 9 ms");
+  EXPECT_THAT(forecast_text({360, 33000, 0.009, 2, false, true}),
+              HasSubstr("about 6 min on the graphics card (3 to 12 min)"));
   EXPECT_THAT(forecast_text({360, 33000, 0.009, 2, true}),
               HasSubstr("uncertain, for other programs run"));
   EXPECT_EQ(forecast_text({20, 2000, 0.005, 1}),

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "support/archives.hpp"
 #include "support/temporary_folder.hpp"
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -58,26 +59,8 @@ Scene scene_of(const Case& c) {
   return scene;
 }
 
-std::string archived(Flow& flow) {
-  std::string bytes;
-  ArchiveWriter a([&](const void* data, std::size_t size) {
-    bytes.append(static_cast<const char*>(data), size);
-  });
-  a(flow);
-  return bytes;
-}
-
-void restore(Flow& flow, const std::string& bytes) {
-  std::size_t place = 0;
-  ArchiveReader a([&](void* to, std::size_t size) {
-    const std::size_t count = std::min(size, bytes.size() - place);
-    bytes.copy(static_cast<char*>(to), count, place);
-    place += count;
-    return count;
-  });
-  a(flow);
-  a.end();
-}
+using test::archived;
+using test::restore;
 
 void steps(Flow& flow, int count) {
   for (int k = 0; k < count; ++k) flow.stepper().step();

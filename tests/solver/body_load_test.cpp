@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
@@ -36,8 +37,9 @@ INSTANTIATE_TEST_SUITE_P(Both, BodyLoads, testing::ValuesIn(test::both_methods),
                          [](const auto& method) { return std::string(word_of(method.param)); });
 
 /// A viscous block falls, sliding, on a floor and against a post, which are bodies 1 and 2.
-void expect_momentum_kept(Method method, BackendKind kind, FlowModel model, double tolerance) {
-  auto backend = make_backend(kind, model);
+void expect_momentum_kept(Method method, test::On kind, FlowModel model) {
+  const double tolerance = kind == test::On::reference ? 1e-8 : 1e-5;
+  auto backend = test::make_backend(kind, model);
   const double dp = model.spacing;
   add_box(backend->fluid(), model, {{0, 0, 0}, {8 * dp, 6 * dp, 6 * dp}});
   for (Vec3d& v : backend->fluid().velocity) v = {1, 0.3, -0.2};
@@ -67,13 +69,11 @@ TEST_P(BodyLoads, TakeTheMomentumThatTheFluidLoses) {
   model.rheology = Cross{2, 100, 1};
   model.yield = {10, 20, 0};
   model.wall = Voellmy{{5, 0.2}, 300};
-  expect_momentum_kept(GetParam(), BackendKind::reference, model, 1e-8);
-  expect_momentum_kept(GetParam(), BackendKind::cpu, model, 1e-5);
+  for (const test::On kind : test::backends()) expect_momentum_kept(GetParam(), kind, model);
   model.viscous_operator = ViscousOperator::nested;
   model.boundary_stress = BoundaryStress::own;
   model.wall = NoSlip{};
-  expect_momentum_kept(GetParam(), BackendKind::reference, model, 1e-8);
-  expect_momentum_kept(GetParam(), BackendKind::cpu, model, 1e-5);
+  for (const test::On kind : test::backends()) expect_momentum_kept(GetParam(), kind, model);
 }
 
 // Mean load over the time from `settle` to twice that.
@@ -93,22 +93,23 @@ std::vector<BodyLoad> mean_loads(Method method, Backend& backend, double settle)
 // beside the floor are theirs.
 TEST_P(BodyLoads, OfAWallAreThoseOfStillWater) {
   constexpr double depth = 1, length = 1;
-  for (const BackendKind kind : {BackendKind::reference, BackendKind::cpu}) {
-    const int cells = kind == BackendKind::cpu ? 40 : 10;
+  for (const test::On kind : test::backends()) {
+    const bool is_fine = kind == test::On::cpu || kind == test::On::cuda;
+    const int cells = is_fine ? 40 : 10;
     FlowModel model = water(depth / cells, depth);
     model.dimension = 2;
-    auto backend = make_backend(kind, model);
+    auto backend = test::make_backend(kind, model);
     const double t = 3 * model.spacing;
     add_still_box(backend->fluid(), model, {{}, {length, 0, depth}});
     Particles& walls = backend->boundary();
     add_box(walls, model, {{0, 0, -t}, {length, 0, 0}}, 1);
     add_box(walls, model, {{-t, 0, -t}, {0, 0, 1.2 * depth}}, 2);
     add_box(walls, model, {{length, 0, -t}, {length + t, 0, 1.2 * depth}}, 3);
-    const auto loads = mean_loads(GetParam(), *backend, kind == BackendKind::cpu ? 1 : 0.2);
+    const auto loads = mean_loads(GetParam(), *backend, is_fine ? 1 : 0.2);
     ASSERT_EQ(loads.size(), 3u);
     const double thrust = 1000 * g * depth * depth / 2, weight = 1000 * g * depth * length;
     // Feet take a part of the weight; the walls' sums know the depth to about half a spacing.
-    const double share = kind == BackendKind::cpu ? 0.03 : 0.1;
+    const double share = is_fine ? 0.03 : 0.1;
     EXPECT_NEAR(loads[0].force.z + loads[1].force.z + loads[2].force.z, -weight, 0.01 * weight);
     EXPECT_NEAR(loads[1].force.x, -thrust, share * thrust);
     EXPECT_NEAR(loads[2].force.x, thrust, share * thrust);

@@ -1,5 +1,6 @@
 #include "solver/domain.hpp"
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
@@ -82,11 +83,11 @@ Surface slope() {
 TEST(Domain, HoldsASlideOnASlope) {
   const Surface ground_surface = slope();
   std::vector<double> mean_x;
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
+  for (const test::On kind : test::backends()) {
     const FlowModel model = test::plain_model(0.5, 60, 50);
     Ground ground(ground_surface, {}, {model.spacing, 3, 1000});
     Domain domain(ground);
-    auto backend = make_backend(kind, model);
+    auto backend = test::make_backend(kind, model);
     test::add_block(backend->fluid(), model, {6, 10, 10, 14, 0, 3});
     for (Vec3d& x : backend->fluid().position) x.z += ground_surface.height(x.x, x.y);
     PaperStepper stepper(*backend, test::rule_of(model), &domain);

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
@@ -105,16 +106,15 @@ TEST(InflowLayers, TakeTheFreePlacesAboveWhatHasBackedUp) {
   EXPECT_NEAR(highest(blocked.fluid), 1.25, 1e-12);
 }
 
-class Driven : public testing::TestWithParam<BackendKind> {};
+using Driven = test::OnBackend;
 
-INSTANTIATE_TEST_SUITE_P(On, Driven, testing::Values(BackendKind::reference, BackendKind::cpu),
-                         [](const auto& kind) { return std::string(word_of(kind.param)); });
+INSTANTIATE_TEST_SUITE_P(On, Driven, testing::ValuesIn(test::all_backends), test::name_of_backend);
 
 /// A cube whose half is driven sideways; the other half is at rest.
-std::unique_ptr<Backend> half_driven_cube(BackendKind kind) {
+std::unique_ptr<Backend> half_driven_cube(test::On on) {
   FlowModel model = test::plain_model(0.1, 20, 1000);
   model.gravity = {};
-  auto backend = make_backend(kind, model);
+  auto backend = test::make_backend(on, model);
   Particles& fluid = backend->fluid();
   test::add_block(fluid, model, {0, 6, 0, 6, 0, 6});
   for (std::size_t i = 0; i < fluid.size(); ++i) {
@@ -133,6 +133,7 @@ TEST_P(Driven, ParticlesKeepTheirVelocityAndDragTheOthers) {
     stepper->step();
     const double time = stepper->time();
     const Particles& fluid = backend->fluid();
+    ASSERT_EQ(fluid.size(), start.size());
     double slowest = 1, fastest = 0;
     for (std::size_t i = 0; i < fluid.size(); ++i) {
       if (fluid.driven[i] != 0) {

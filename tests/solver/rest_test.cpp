@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
@@ -178,8 +179,8 @@ TEST(Energy, IsAccountedForWhileABlockSlumps) {
 
 TEST(FreeFall, KeepsToTheParabola) {
   const FlowModel model = plain_model(0.1, 10, 1);
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
-    auto backend = make_backend(kind, model);
+  for (const test::On kind : test::backends()) {
+    auto backend = test::make_backend(kind, model);
     test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
     for (Vec3d& v : backend->fluid().velocity) v = {3, 0, 1};
     const Vec3d start = backend->fluid().position[0];
@@ -211,12 +212,13 @@ TEST(Stepper, StopsWhenTheDensityLeavesItsRange) {
 
 TEST(Stepper, StopsOnANumberThatIsNone) {
   const FlowModel model = plain_model(0.1, 10, 1);
-  for (const auto kind : {BackendKind::reference, BackendKind::cpu}) {
-    auto backend = make_backend(kind, model);
+  for (const test::On kind : test::backends()) {
+    auto backend = test::make_backend(kind, model);
     test::add_block(backend->fluid(), model, {0, 4, 0, 4, 0, 4});
     PaperStepper stepper(*backend, rule_of(model), nullptr);
     stepper.step();
     backend->fluid().velocity[7].y = std::nan("");
+    backend->find_neighbours();
     EXPECT_THROW(stepper.step(), RunError);
   }
 }

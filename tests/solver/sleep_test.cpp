@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "support/backends.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
@@ -34,17 +35,17 @@ Layer creeping_layer() {
   return layer;
 }
 
-class Sleep : public testing::TestWithParam<BackendKind> {
+class Sleep : public test::OnBackend {
  protected:
   std::unique_ptr<Backend> settled(Layer& layer) {
-    auto backend = layer.make(GetParam());
+    auto backend = test::make_backend(GetParam(), layer.periodic_model());
+    layer.fill(*backend);
     test::make_hydrostatic(*backend, layer.cells * layer.model.spacing);
     return backend;
   }
 };
 
-INSTANTIATE_TEST_SUITE_P(On, Sleep, testing::Values(BackendKind::reference, BackendKind::cpu),
-                         [](const auto& kind) { return std::string(word_of(kind.param)); });
+INSTANTIATE_TEST_SUITE_P(On, Sleep, testing::ValuesIn(test::all_backends), test::name_of_backend);
 
 TEST_P(Sleep, ADepositBelowYieldFallsAsleepAndStaysWhereItIs) {
   Layer layer = creeping_layer();
@@ -68,15 +69,17 @@ TEST_P(Sleep, MotionWakesWhatIsNearAndNothingElse) {
   // One grain at the surface, at the middle, is kicked just before a look at who sleeps: its
   // sleeping neighbours would stop it within a step or two.
   while (stepper.steps() % 16 != 0) stepper.step();
-  Particles& fluid = backend->fluid();
+  Particles& deposit = backend->fluid();
   std::size_t kicked = 0;
-  for (std::size_t i = 0; i < fluid.size(); ++i)
-    if (norm(fluid.position[i] - Vec3d{10.25, 0, 2.75}) <
-        norm(fluid.position[kicked] - Vec3d{10.25, 0, 2.75}))
+  for (std::size_t i = 0; i < deposit.size(); ++i)
+    if (norm(deposit.position[i] - Vec3d{10.25, 0, 2.75}) <
+        norm(deposit.position[kicked] - Vec3d{10.25, 0, 2.75}))
       kicked = i;
-  fluid.velocity[kicked].x = 1;
-  fluid.calm[kicked] = 0;
+  deposit.velocity[kicked].x = 1;
+  deposit.calm[kicked] = 0;
+  backend->find_neighbours();
   stepper.step();
+  const Particles& fluid = backend->fluid();
   EXPECT_GT(fluid.size() - backend->asleep_count(), 5u);
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     if (std::abs(fluid.position[i].x - 10.25) > 5) {

@@ -1,29 +1,18 @@
 #include "backend/cpu/cpu_backend.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
-#include <string>
 
+#include "backend/check_periods.hpp"
 #include "backend/cpu/neighbour_search.hpp"
 #include "backend/cpu/parallel_blocks.hpp"
-#include "base/error.hpp"
+#include "backend/record_packer.hpp"
 
 namespace sabo {
-namespace {
-
-using Index = std::ptrdiff_t;
-
-}  // namespace
 
 CpuBackend::CpuBackend(const FlowModel& model, const PairSweeps& sweeps)
     : HostBackend(model), sweeps_(sweeps), skin_(0.3 * model.h) {
-  // Otherwise two images of one particle could both be listed.
-  const double shortest = 2 * (model.kernel_radius() + skin_);
-  for (int axis = 0; axis < 3; ++axis)
-    if (model.periodic.on(axis) && Periodic::along(model.periodic.period[axis], axis) < shortest)
-      throw CaseError("periodic", "a period is shorter than two radii of the neighbour list",
-                      "make it at least " + std::to_string(shortest) + " m");
+  check_periods(model, list_radius());
 }
 
 void CpuBackend::list_pairs() {
@@ -57,44 +46,12 @@ void CpuBackend::set_scale() {
   centre_ = 0.5 * (low + high);
   // The list is made anew long before a particle leaves the doubled box.
   const double reach = (high.x - low.x) + (high.y - low.y) + (high.z - low.z) + list_radius();
-  const int exponent = static_cast<int>(std::ceil(std::log2(reach))) - 30;
-  scale_.unit = static_cast<float>(std::ldexp(1.0, exponent));
-
-  scale_.periodic = model_.periodic.any();
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3d& p = model_.periodic.period[axis];
-    scale_.period[axis] = {float(p.x), float(p.y), float(p.z)};
-    scale_.inverse_period[axis] =
-        model_.periodic.on(axis) ? float(1 / Periodic::along(p, axis)) : 0.0f;
-  }
-  const Vec3d origin = model_.central.origin - centre_;
-  scale_.central = float(model_.central.strength);
-  scale_.central_origin = {float(origin.x), float(origin.y), float(origin.z)};
-  const auto kernel = model_.kernel<float>();
-  scale_.h = kernel.h;
-  scale_.kernel_alpha = kernel.alpha;
-  scale_.eta2 = float(model_.eta2());
-  scale_.rho0 = float(model_.state.rho0);
-  set_sound_terms();
-  scale_.wall_velocity_factor = float(model_.wall_velocity_factor());
-  scale_.dimension = model_.dimension;
-  scale_.two_point_viscosity = model_.viscous_operator == ViscousOperator::morris;
-}
-
-/// What depends on the sound speed, which may change from step to step.
-void CpuBackend::set_sound_terms() {
-  const double c0 = model_.state.c0;
-  const Vec3d background = model_.diffusion_background(model_.central.origin);
-  scale_.two_zeta_h_c0 = float(2 * model_.density_diffusion * model_.h * c0);
-  scale_.hydrostatic = {float(background.x), float(background.y), float(background.z)};
-  if (model_.diffusion_form == DiffusionForm::fourtakas)
-    scale_.hydrostatic_slope = float(model_.central.strength / (c0 * c0));
-  scale_.alpha_c0_h = float(model_.artificial_viscosity * c0 * model_.h);
+  scale_ = PairScale(model_, centre_, reach);
 }
 
 void CpuBackend::set_sound_speed(double c0) {
   HostBackend::set_sound_speed(c0);
-  set_sound_terms();
+  scale_.set_sound_speed(model_);
 }
 
 bool CpuBackend::neighbours_are_stale(double margin) const {
@@ -106,23 +63,13 @@ bool CpuBackend::neighbours_are_stale(double margin) const {
 void CpuBackend::pack_motion() {
   const PassClock clock(pass_times_, "records");
   motion_.resize(fluid_.size() + boundary_.size());
-  const double per_unit = 1.0 / scale_.unit;
+  const RecordPacker pack(model_, centre_, scale_);
   std::size_t offset = 0;
-  for (const Particles* p : {&fluid_, &boundary_}) {
-    const Index count = static_cast<Index>(p->size());
-#pragma omp parallel for num_threads(threads()) if (count > worth_threads) schedule(static)
-    for (Index i = 0; i < count; ++i) {
-      const Vec3d x = per_unit * (p->position[i] - centre_);
-      const Vec3d& v = p->velocity[i];
-      motion_[offset + i] = {static_cast<std::int32_t>(std::lrint(x.x)),
-                             static_cast<std::int32_t>(std::lrint(x.y)),
-                             static_cast<std::int32_t>(std::lrint(x.z)),
-                             float(v.x),
-                             float(v.y),
-                             float(v.z),
-                             float(p->density[i] / model_.state.rho0 - 1),
-                             float(p->mass[i] / p->density[i])};
-    }
+  for (Particles* p : {&fluid_, &boundary_}) {
+    const ParticleView of = view_of(*p);
+    over(p->size(), threads(), [&](std::size_t i) {
+      motion_[offset + i] = pack.motion(of, i, pack.place(of.position[i]));
+    });
     offset += p->size();
   }
 }
@@ -130,31 +77,13 @@ void CpuBackend::pack_motion() {
 void CpuBackend::pack_stress() {
   const PassClock clock(pass_times_, "records");
   stress_records_.resize(motion_.size());
-  const double convention = model_.strain_convention();
+  const RecordPacker pack(model_, centre_, scale_);
   std::size_t offset = 0;
-  for (const Particles* p : {&fluid_, &boundary_}) {
-    const Index count = static_cast<Index>(p->size());
-#pragma omp parallel for num_threads(threads()) if (count > worth_threads) schedule(static)
-    for (Index i = 0; i < count; ++i) {
-      const MotionRecord& m = motion_[offset + i];
-      const Sym3<double>& s = stress_[offset + i];
-      stress_records_[offset + i] = {m.x,
-                                     m.y,
-                                     m.z,
-                                     float(p->mass[i]),
-                                     float(s.xx),
-                                     float(s.xy),
-                                     float(s.xz),
-                                     float(s.yy),
-                                     float(s.yz),
-                                     float(s.zz),
-                                     m.vx,
-                                     m.vy,
-                                     m.vz,
-                                     float(convention * p->viscosity[i]),
-                                     float(p->density[i]),
-                                     float(p->pressure[i] / (p->density[i] * p->density[i]))};
-    }
+  for (Particles* p : {&fluid_, &boundary_}) {
+    const ParticleView of = view_of(*p);
+    over(p->size(), threads(), [&](std::size_t i) {
+      stress_records_[offset + i] = pack.stress(of, i, stress_[offset + i], motion_[offset + i]);
+    });
     offset += p->size();
   }
 }

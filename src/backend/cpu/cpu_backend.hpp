@@ -6,8 +6,8 @@
 #include "backend/cpu/list_age.hpp"
 #include "backend/cpu/pair_list.hpp"
 #include "backend/cpu/pair_sweeps.hpp"
-#include "backend/cpu/records.hpp"
 #include "backend/host_backend.hpp"
+#include "backend/records.hpp"
 #include "backend/velocity_step.hpp"
 
 namespace sabo {
@@ -36,11 +36,8 @@ class CpuBackend : public HostBackend {
 
  private:
   void set_scale();
-  void set_sound_terms();
   void pack_motion();
   void pack_stress();
-  void pack_flow(const Particles& particles, std::size_t i, FlowRecord& record) const;
-  void pack_motion(const Particles& particles, std::size_t i, std::size_t at);
   void pack_near_motion();
 
   const PairSweeps& sweeps_;

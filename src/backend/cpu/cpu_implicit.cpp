@@ -3,6 +3,7 @@
 
 #include "backend/cpu/cpu_backend.hpp"
 #include "backend/cpu/parallel_blocks.hpp"
+#include "backend/record_packer.hpp"
 
 // The pair sweeps of the implicit method.
 
@@ -11,7 +12,7 @@ namespace sabo {
 void CpuBackend::prepare_rows() {
   const std::size_t fluids = fluid_.size();
   near_.reset(fluids);
-  velocity_step_.reset(fluids);
+  velocity_step_.reset(on_, fluids);
   flow_.resize(fluids + boundary_.size());
   motion_.resize(fluids + boundary_.size());
   closing_.resize(fluids + boundary_.size());
@@ -33,46 +34,27 @@ void CpuBackend::prepare_rows() {
   }
 }
 
-void CpuBackend::pack_flow(const Particles& particles, std::size_t i, FlowRecord& record) const {
-  const Vec3d x = (1.0 / scale_.unit) * (particles.position[i] - centre_);
-  const double rho0 = model_.state.rho0;
-  record = {static_cast<std::int32_t>(std::lrint(x.x)),
-            static_cast<std::int32_t>(std::lrint(x.y)),
-            static_cast<std::int32_t>(std::lrint(x.z)),
-            float(particles.mass[i]),
-            float(particles.pressure[i] / (rho0 * rho0)),
-            float(particles.mass[i] / rho0),
-            float(model_.strain_convention() * particles.viscosity[i]),
-            float(particles.density[i])};
-}
-
-/// After pack_flow of the same particle.
-void CpuBackend::pack_motion(const Particles& particles, std::size_t i, std::size_t at) {
-  const FlowRecord& place = flow_[at];
-  const Vec3d& v = particles.velocity[i];
-  motion_[at] = {place.x,
-                 place.y,
-                 place.z,
-                 float(v.x),
-                 float(v.y),
-                 float(v.z),
-                 float(particles.density[i] / model_.state.rho0 - 1),
-                 float(particles.mass[i] / particles.density[i])};
-}
-
-/// All that the near sweeps may meet.
+/// All that the near sweeps may meet; after wall_pressure(), which knows the places.
 void CpuBackend::pack_near_motion() {
-  over(fluid_.size(), threads(), [&](std::size_t i) { pack_motion(fluid_, i, i); });
+  const RecordPacker pack(model_, centre_, scale_);
+  const FlowView flow = view();
+  const auto pack_one = [&](const ParticleView& of, std::size_t i, std::size_t at) {
+    const FlowRecord& place = flow_[at];
+    motion_[at] = pack.motion(of, i, {place.x, place.y, place.z});
+  };
+  over(fluid_.size(), threads(), [&](std::size_t i) { pack_one(flow.fluid, i, i); });
   over_rows(touched_walls_, threads(),
-            [&](std::size_t at) { pack_motion(boundary_, at - fluid_.size(), at); });
+            [&](std::size_t at) { pack_one(flow.boundary, at - fluid_.size(), at); });
 }
 
 void CpuBackend::wall_pressure() {
   const PassClock clock(pass_times_, "wall pressure", boundary_pairs_);
   const std::size_t fluids = fluid_.size();
-  over(fluids, threads(), [&](std::size_t i) { pack_flow(fluid_, i, flow_[i]); });
+  const RecordPacker pack(model_, centre_, scale_);
+  const FlowView flow = view();
+  over(fluids, threads(), [&](std::size_t i) { flow_[i] = pack.flow(flow.fluid, i); });
   // Until their pressure is known the records of boundary particles are of use for their place.
-  const auto pack_wall = [&](std::size_t at) { pack_flow(boundary_, at - fluids, flow_[at]); };
+  const auto pack_wall = [&](std::size_t at) { flow_[at] = pack.flow(flow.boundary, at - fluids); };
   over_rows(touched_walls_, threads(), pack_wall);
   const Vec3f gravity{float(model_.gravity.x), float(model_.gravity.y), float(model_.gravity.z)};
   parallel_blocks(touched_walls_.size(), sweep_block, threads(), [&](Range range) {
@@ -110,30 +92,22 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
   const PassClock clock(pass_times_, "viscous solve");
   const std::size_t blocks = (awake_.size() + sweep_block - 1) / sweep_block;
   dots_.assign(blocks, {});
-  const auto multiply = [&](const std::vector<float>& mass, const std::vector<float>& drag) {
+  const auto multiply = [&](const float* mass, const float* drag) {
     auto& solver = velocity_step_.solver;
     pass_times_["viscous solve"].pairs += near_.size();
     parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
-      ViscousProductTask task{&near_,
-                              awake_.data(),
-                              range.first,
-                              range.last,
-                              solver.direction.data(),
-                              mass.data(),
-                              drag.data(),
-                              float(dt),
-                              solver.product.data(),
-                              {0, 0, 0}};
+      ViscousProductTask task{
+          &near_, awake_.data(), range.first,           range.last, solver.direction.data(), mass,
+          drag,   float(dt),     solver.product.data(), {0, 0, 0}};
       sweeps_.viscous_product(task);
       dots_[range.first / sweep_block] = {task.dot[0], task.dot[1], task.dot[2]};
     });
-    VelocityStep<float>::Dot sum{};
-    for (const auto& dot : dots_)
-      for (int c = 0; c < 3; ++c) sum[c] += dot[c];
+    Dot sum;
+    for (const auto& dot : dots_) sum.join({dot[0], dot[1], dot[2]});
     return sum;
   };
-  return velocity_step_.advance({fluid_, awake_, driven_, acceleration_, wall_share_, wall_drag_,
-                                 dt, tolerance, most_iterations, threads()},
+  return velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
+                                {driven_.data(), driven_.size()}, dt, tolerance, most_iterations,
                                 multiply);
 }
 

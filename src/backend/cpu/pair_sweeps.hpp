@@ -7,35 +7,15 @@
 #include "backend/cpu/index_run.hpp"
 #include "backend/cpu/near_pairs.hpp"
 #include "backend/cpu/pair_list.hpp"
-#include "backend/cpu/records.hpp"
 #include "backend/filling.hpp"
+#include "backend/pair_scale.hpp"
+#include "backend/records.hpp"
 #include "backend/wall_share.hpp"
 #include "math/quad.hpp"
 #include "math/sym3.hpp"
 #include "math/vec3.hpp"
 
 namespace sabo {
-
-/// Constants of the pair sweeps in single precision.
-struct PairScale {
-  float unit = 1;  ///< metres per integer of position
-  bool periodic = false;
-  float inverse_period[3] = {0, 0, 0};  ///< 1/m; 0 for an axis that is not periodic
-  Vec3f period[3];
-  float h = 1;                  ///< smoothing length, m
-  float kernel_alpha = 1;       ///< a_D, 1/m^D
-  float eta2 = 0;               ///< m2
-  float rho0 = 1;               ///< kg/m3
-  float two_zeta_h_c0 = 0;      ///< of density diffusion, m2/s
-  Vec3f hydrostatic;            ///< of density diffusion, at the origin of the central force, 1/m
-  float central = 0;            ///< strength of the central force, 1/s2
-  Vec3f central_origin;         ///< from the place of integers 0, m
-  float hydrostatic_slope = 0;  ///< by which `hydrostatic` falls from that origin on, 1/m2
-  float wall_velocity_factor = 1;
-  float alpha_c0_h = 0;  ///< of artificial viscosity, m2/s
-  bool two_point_viscosity = false;
-  int dimension = 3;
-};
 
 /// What a sweep works on: particles [first, last), their neighbours and their records.
 struct MotionTask {

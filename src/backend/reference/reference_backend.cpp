@@ -44,7 +44,7 @@ void ReferenceBackend::list_pairs() {
   prepare_rows();
 }
 
-void ReferenceBackend::prepare_rows() { velocity_step_.reset(fluid_.size()); }
+void ReferenceBackend::prepare_rows() { velocity_step_.reset(on_, fluid_.size()); }
 
 void ReferenceBackend::fluid_near(std::size_t i, std::vector<std::uint32_t>& near) const {
   for_each_neighbour(

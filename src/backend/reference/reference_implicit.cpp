@@ -60,9 +60,9 @@ void ReferenceBackend::near_forces() {
 
 ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
   const double rho0 = model_.state.rho0;
-  const auto multiply = [&](const std::vector<double>& masses, const std::vector<double>& drag) {
+  const auto multiply = [&](const double* masses, const double* drag) {
     auto& solver = velocity_step_.solver;
-    VelocityStep<double>::Dot sum{};
+    Dot sum;
     for (const std::uint32_t i : awake_) {
       const Quad<double>& p = solver.direction[i];
       Vec3d flow = drag[i] * Vec3d{p.x, p.y, p.z};
@@ -75,14 +75,12 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
       });
       const Vec3d q = masses[i] * Vec3d{p.x, p.y, p.z} + dt * flow;
       solver.product[i] = {q.x, q.y, q.z};
-      sum[0] += p.x * q.x;
-      sum[1] += p.y * q.y;
-      sum[2] += p.z * q.z;
+      sum.join({p.x * q.x, p.y * q.y, p.z * q.z});
     }
     return sum;
   };
-  return velocity_step_.advance({fluid_, awake_, driven_, acceleration_, wall_share_, wall_drag_,
-                                 dt, tolerance, most_iterations, threads()},
+  return velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
+                                {driven_.data(), driven_.size()}, dt, tolerance, most_iterations,
                                 multiply);
 }
 

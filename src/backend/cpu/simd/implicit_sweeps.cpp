@@ -39,7 +39,7 @@ void wall_pressure_range(const WallPressureTask& task) {
     const std::size_t i = task.rows[place];
     const PairList::Row row = task.list->row(i);
     const FlowRecord& me = task.records[i];
-    const Vec3f from = from_origin(*task.scale, me.x, me.y, me.z);
+    const Vec3f from = task.scale->from_origin(me.x, me.y, me.z);
     const Vec gravity = in_lanes(task.gravity - task.scale->central * from);
     Lanes weight, pressure;
     for (const std::uint32_t* k = row.fluid; k != row.boundary; k += Lanes::count) {

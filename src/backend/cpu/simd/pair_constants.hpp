@@ -40,11 +40,6 @@ struct Constants {
 
 HWY_INLINE Vec in_lanes(const Vec3f& v) { return {Lanes(v.x), Lanes(v.y), Lanes(v.z)}; }
 
-/// From the origin of the central force to integer positions, m.
-HWY_INLINE Vec3f from_origin(const PairScale& s, std::int32_t x, std::int32_t y, std::int32_t z) {
-  return s.unit * Vec3f{float(x), float(y), float(z)} - s.central_origin;
-}
-
 /// x_i - x_j from integer positions; on periodic axes the nearest image. Integer subtraction wraps
 /// by definition and is exact.
 template <bool periodic>

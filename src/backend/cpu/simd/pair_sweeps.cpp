@@ -33,7 +33,7 @@ HWY_INLINE void add_motion(const Constants& s, const MotionTask& task, std::size
   DensityDiffusion<Lanes> diffusion = s.diffusion;
   if constexpr (diffusive)
     diffusion.hydrostatic -=
-        in_lanes(task.scale->hydrostatic_slope * from_origin(*task.scale, me.x, me.y, me.z));
+        in_lanes(task.scale->hydrostatic_slope * task.scale->from_origin(me.x, me.y, me.z));
   const float* records = reinterpret_cast<const float*>(task.records);
   for (const std::uint32_t* k = begin; k != end; k += Lanes::count) {
     const Columns j = load_transposed(records, 8, 0, k);

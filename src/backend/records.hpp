@@ -8,11 +8,15 @@ namespace sabo {
 // in units of a power of two far below the spacing: their difference is exact, so that a pair far
 // from the origin is as good as one near it, and half the size of doubles.
 
-struct alignas(32) MotionRecord {
+struct IntegerPlace {
   std::int32_t x, y, z;  ///< position / PairScale::unit
-  float vx, vy, vz;      ///< m/s
-  float excess;          ///< rho / rho0 - 1
-  float volume;          ///< m / rho, m3 (m2 in two dimensions)
+};
+
+struct alignas(32) MotionRecord {
+  std::int32_t x, y, z;
+  float vx, vy, vz;  ///< m/s
+  float excess;      ///< rho / rho0 - 1
+  float volume;      ///< m / rho, m3 (m2 in two dimensions)
 };
 static_assert(sizeof(MotionRecord) == 32);
 

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <cstddef>
+
+#include <cuda_runtime_api.h>
+
+namespace sabo {
+
+/// Throws RunError with the words of CUDA if a call has failed.
+void check_cuda(cudaError_t outcome, const char* call);
+
+/// Memory of the card. Throws RunError where it does not suffice.
+void* allocate_on_card(std::size_t bytes);
+void free_on_card(void* memory) noexcept;
+
+}  // namespace sabo

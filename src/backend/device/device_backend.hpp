@@ -1,0 +1,196 @@
+#pragma once
+
+#include <vector>
+
+#include "backend/backend.hpp"
+#include "backend/body_load_sum.hpp"
+#include "backend/device/device_particles.hpp"
+#include "backend/device/pair_sweeps.hpp"
+#include "backend/flow_view.hpp"
+#include "backend/sweeps/flow_sums.hpp"
+#include "backend/velocity_step.hpp"
+
+namespace sabo {
+
+/// A backend whose arrays live in the memory of an executor and whose loops run there: written once
+/// for graphics cards (backend/cuda) and for the host, where the tests run it. Particles are sorted
+/// by column and height; pairs are listed with a skin, interleaved by slices of 32 particles; pair
+/// sums are in single precision over exact position differences, state and sums over all particles
+/// in double precision. Every sum has a fixed order.
+///
+/// fluid() and boundary() are copies on the host. They are fetched when they are asked for after a
+/// change on the device, all fields at once, and handed back by find_neighbours() if they have been
+/// asked for since the last change. So a reference is good until the next sweep: ask again then.
+/// Per step only sums come to the host, and the forces on particles of bodies.
+template <class Executor>
+class DeviceBackend : public Backend {
+ public:
+  template <class T>
+  using Array = typename Executor::template Array<T>;
+
+  explicit DeviceBackend(const FlowModel& model, const Executor& on = Executor());
+
+  Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
+  Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
+
+  std::size_t fluid_count() const override { return count(fluid_, fluid_copy_); }
+  std::size_t boundary_count() const override { return count(boundary_, boundary_copy_); }
+
+  bool neighbours_are_stale(double margin) const override;
+  double list_radius() const override { return model_.kernel_radius() + skin_; }
+  void find_neighbours() override;
+
+  void pressure() override;
+  void strain_and_density_rates() override;
+  void stress() override;
+  void momentum() override;
+  void extrapolate_to_boundary() override;
+
+  void wall_pressure() override;
+  void near_forces() override;
+  void wall_resistance() override;
+  ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) override;
+  void near_motion() override;
+  void advance_state(double dt) override;
+  void update_sleep() override;
+  std::size_t asleep_count() const override {
+    return fluid_.size() - awake_.size() - driven_.size();
+  }
+  void set_sound_speed(double c0) override;
+
+  FlowExtremes extremes() const override;
+  FlowHealth health() const override;
+  double dissipation() const override;
+  const NumericalHeat& numerical_heat() const override { return numerical_heat_; }
+  const std::vector<BodyLoad>& body_loads() const override { return body_loads_.loads(); }
+  const std::vector<BodyForce>& body_forces() const override { return body_loads_.forces(); }
+
+  void predict(double dt) override;
+  void correct(double dt) override;
+  const std::vector<Vec3d>& accelerations() const override;
+  const std::vector<double>& density_rates() const override;
+  std::size_t device_bytes() const override;
+  void archive(ArchiveWriter& a) override { archive_state(a); }
+  void archive(ArchiveReader& a) override { archive_state(a); }
+
+ protected:
+  // Seen by tests.
+  Array<WallShare> wall_share_;
+  Array<double> wall_drag_, support_;
+  Array<Filling> filling_;
+  Array<Sym3<double>> strain_;
+
+ private:
+  /// Times a pass to its end on the device.
+  struct Clock {
+    Clock(const DeviceBackend& backend, std::string_view name, std::uint64_t pairs = 0)
+        : clock(backend.pass_times_, name, pairs), on(backend.on_) {}
+    ~Clock() { on.wait(); }
+    PassClock clock;
+    const Executor& on;
+  };
+  struct Copy {
+    Particles particles;
+    bool is_current = true;
+    bool is_lent = false;  // the host may have changed it
+    void outdate() { is_current = is_lent = false; }
+  };
+
+  static std::size_t count(const DeviceParticles<Executor>& set, const Copy& copy) {
+    return copy.is_lent ? copy.particles.size() : set.size();
+  }
+  Particles& fetched(DeviceParticles<Executor>& from, Copy& copy);
+  FlowView view();
+  PairRows rows() const;
+  PairSums pair_sums() const { return {scale_, rows(), fluid_.size()}; }
+  RecordPacker packer() const { return {model_, centre_, scale_}; }
+  RowList awake() const { return {awake_.data(), awake_.size()}; }
+  RowList driven() const { return {driven_.data(), driven_.size()}; }
+  std::size_t all() const { return fluid_.size() + boundary_.size(); }
+  template <class F>
+  void over_awake(const F& f) const {
+    on_.for_each(awake_.size(), AtRow<F>{awake_.data(), f});
+  }
+  template <class F>
+  void over_driven(const F& f) const {
+    on_.for_each(driven_.size(), AtRow<F>{driven_.data(), f});
+  }
+
+  void set_scale();
+  struct SortedSet {
+    ColumnLattice lattice;
+    Array<std::uint32_t> first;
+    Array<IntegerPlace> places;
+  };
+  SortedSet sort(DeviceParticles<Executor>& set);
+  void list_pairs();
+  double relative_way() const;
+  Particles boundary_bodies() const;
+  void forget_results();
+  void need_explicit_arrays();
+  void need_implicit_arrays();
+  void list_awake();
+  void list_driven();
+  void hold_driven();
+  void hold_walls();
+  void prepare_rows();
+  void pack_motion();
+  void pack_motion_beside();
+  void shift_particles(double dt);
+  template <class PairForce>
+  void add_to_bodies(const PairForce& force);
+  template <class Archive>
+  void archive_state(Archive& a);
+  void list_again(std::vector<Vec3d>& listed, const std::vector<std::uint32_t>& awake);
+
+  Executor on_;
+  double skin_;
+  Array<HalfSpace> half_space_;
+  double yield_slope_;
+  DeviceParticles<Executor> fluid_, boundary_;
+  Copy fluid_copy_, boundary_copy_;
+
+  SortedSet sorted_fluid_, sorted_boundary_;  // the latter while pairs are listed
+  Vec3d centre_;                              // of all particles; zero of the integer positions
+  PairScale scale_;
+  Array<std::uint64_t> slice_starts_;
+  Array<std::uint32_t> entries_, fluid_neighbours_, neighbours_;
+  Array<Vec3d> list_position_;  // of the fluid when the list was made
+  std::uint64_t fluid_pairs_ = 0, boundary_pairs_ = 0;
+  bool has_list_ = false;
+
+  Array<std::uint32_t> awake_;    // fluid particles that take part in the sweeps
+  Array<std::uint32_t> touched_;  // boundary particles with one of them near
+  Array<std::uint32_t> driven_;   // fluid particles that an inflow moves
+  Array<std::uint32_t> driven_walls_;  // boundary particles that may be near those
+  Array<char> has_neighbours_;
+  Array<double> density_rate_;
+  Array<Vec3d> acceleration_;
+  Array<MotionRecord> motion_;
+
+  // Of the method of the paper; empty until its sweeps run.
+  Array<Sym3<double>> stress_;
+  Array<double> pressure_power_;
+  Array<StressRecord> stress_records_;
+  Array<Vec3d> start_position_, start_velocity_;
+  Array<double> start_density_, start_boundary_density_;
+
+  // Of the implicit method; empty until its sweeps run.
+  Array<Vec3d> wall_slope_, background_, shift_;
+  Array<double> artificial_heat_, diffusion_rate_;
+  Array<FlowRecord> flow_records_;
+  Array<float> wall_weight_;
+  Array<ClosingRecord> closings_;
+  VelocityStep<float, Executor> velocity_step_;
+  NumericalHeat numerical_heat_;
+
+  BodyLoadSum body_loads_;
+  Array<std::uint32_t> body_rows_;
+  Array<Vec3d> row_forces_;
+  std::vector<Vec3d> row_forces_copy_;
+
+  mutable std::vector<Vec3d> accelerations_copy_;
+  mutable std::vector<double> density_rates_copy_;
+};
+
+}  // namespace sabo

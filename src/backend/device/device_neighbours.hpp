@@ -1,0 +1,268 @@
+#pragma once
+
+#include <bit>
+#include <cmath>
+
+#include "backend/check_periods.hpp"
+#include "backend/device/column_search.hpp"
+#include "backend/compact.hpp"
+#include "backend/device/device_backend.hpp"
+#include "backend/device/implicit_pair_sweeps.hpp"
+#include "backend/device/list_motion.hpp"
+#include "backend/sweeps/driven.hpp"
+#include "backend/sweeps/explicit_sweeps.hpp"
+
+// Copies on the host, sorting, neighbours, and the arrays that go with them.
+
+namespace sabo {
+
+template <class Executor>
+DeviceBackend<Executor>::DeviceBackend(const FlowModel& model, const Executor& on)
+    : Backend(model), on_(on), skin_(0.2 * model.h), yield_slope_(model.yield.slope()) {
+  check_periods(model, list_radius());
+  on_.upload(std::vector<HalfSpace>{HalfSpace(model.h, model.dimension, model.spacing)},
+             half_space_);
+}
+
+template <class Executor>
+Particles& DeviceBackend<Executor>::fetched(DeviceParticles<Executor>& from, Copy& copy) {
+  if (!copy.is_current) from.download(on_, copy.particles);
+  copy.is_current = copy.is_lent = true;
+  return copy.particles;
+}
+
+template <class Executor>
+FlowView DeviceBackend<Executor>::view() {
+  FlowView flow;
+  flow.model = model_;
+  flow.yield_slope = yield_slope_;
+  flow.half_space = half_space_.data();
+  flow.fluid_count = fluid_.size();
+  flow.fluid = fluid_.view();
+  flow.boundary = boundary_.view();
+  flow.strain = strain_.data();
+  flow.stress = stress_.data();
+  flow.density_rate = density_rate_.data();
+  flow.acceleration = acceleration_.data();
+  flow.pressure_power = pressure_power_.data();
+  flow.has_neighbours = has_neighbours_.data();
+  flow.wall = wall_share_.data();
+  flow.wall_drag = wall_drag_.data();
+  flow.wall_slope = wall_slope_.data();
+  flow.support = support_.data();
+  flow.background = background_.size() > 0 ? background_.data() : nullptr;
+  flow.filling = filling_.data();
+  flow.artificial_heat = artificial_heat_.size() > 0 ? artificial_heat_.data() : nullptr;
+  flow.diffusion_rate = diffusion_rate_.data();
+  flow.shift = shift_.data();
+  return flow;
+}
+
+template <class Executor>
+PairRows DeviceBackend<Executor>::rows() const {
+  return {slice_starts_.data(), entries_.data(), fluid_neighbours_.data(), neighbours_.data()};
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::find_neighbours() {
+  if (fluid_copy_.is_lent) fluid_.upload(on_, fluid_copy_.particles);
+  if (boundary_copy_.is_lent) boundary_.upload(on_, boundary_copy_.particles);
+  fluid_copy_.outdate();
+  boundary_copy_.outdate();
+  forget_results();
+  if (model_.periodic.any())
+    on_.for_each(fluid_.size(), WrapPosition{model_.periodic, fluid_.position.data()});
+  set_scale();
+  {
+    const Clock clock(*this, "sort");
+    sorted_fluid_ = sort(fluid_);
+    sorted_boundary_ = sort(boundary_);
+  }
+  {
+    const Clock clock(*this, "neighbour search");
+    list_pairs();
+    pass_times_["neighbour search"].pairs += fluid_pairs_ + boundary_pairs_;
+  }
+  sorted_boundary_ = {};
+  on_.release(sorted_fluid_.places);
+  on_.copy(fluid_.position, list_position_);
+  has_list_ = true;
+  body_loads_.list(boundary_bodies());
+  on_.upload(body_loads_.rows(), body_rows_);
+  on_.reserve(row_forces_, body_loads_.rows().size());
+  on_.zero(density_rate_, all());
+  on_.zero(acceleration_, fluid_.size());
+  list_awake();
+  list_driven();
+  prepare_rows();
+}
+
+/// What BodyLoadSum::list() wants to know.
+template <class Executor>
+Particles DeviceBackend<Executor>::boundary_bodies() const {
+  Particles known;
+  on_.download(boundary_.position, known.position);
+  on_.download(boundary_.body, known.body);
+  return known;
+}
+
+/// The order of the particles is another one now.
+template <class Executor>
+void DeviceBackend<Executor>::forget_results() {
+  for (auto* array : {&strain_, &stress_}) on_.release(*array);
+  for (auto* array : {&wall_slope_, &background_, &shift_}) on_.release(*array);
+  for (auto* array :
+       {&wall_drag_, &support_, &artificial_heat_, &diffusion_rate_, &pressure_power_})
+    on_.release(*array);
+  on_.release(wall_share_);
+  on_.release(filling_);
+  on_.release(entries_);
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::need_explicit_arrays() {
+  if (pressure_power_.size() == fluid_.size() && stress_.size() == all()) return;
+  on_.zero(strain_, all());
+  on_.zero(stress_, all());
+  on_.zero(pressure_power_, fluid_.size());
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::need_implicit_arrays() {
+  const std::size_t fluids = fluid_.size();
+  if (wall_drag_.size() == fluids) return;
+  on_.zero(strain_, fluids);
+  on_.zero(wall_share_, fluids);
+  on_.zero(filling_, fluids);
+  on_.zero(wall_slope_, fluids);
+  for (auto* array : {&wall_drag_, &support_, &diffusion_rate_}) on_.zero(*array, fluids);
+  if (model_.artificial_viscosity > 0) on_.zero(artificial_heat_, fluids);
+  if (model_.diffusion_form == DiffusionForm::fourtakas) on_.zero(background_, fluids);
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::set_scale() {
+  CloudBox box = on_.template reduce<CloudBox>(fluid_.size(), FindBox{fluid_.position.data()});
+  box.join(on_.template reduce<CloudBox>(boundary_.size(), FindBox{boundary_.position.data()}));
+  if (box.is_empty()) box = {{}, {}};
+  const Vec3d size = box.high - box.low;
+  centre_ = 0.5 * (box.low + box.high);
+  // The list is made anew long before a particle leaves the doubled box.
+  scale_ = PairScale(model_, centre_, size.x + size.y + size.z + list_radius());
+}
+
+template <class Executor>
+typename DeviceBackend<Executor>::SortedSet DeviceBackend<Executor>::sort(
+    DeviceParticles<Executor>& set) {
+  SortedSet sorted;
+  const std::size_t count = set.size();
+  const CloudBox box = on_.template reduce<CloudBox>(count, FindBox{set.position.data()});
+  sorted.lattice = ColumnLattice(box, list_radius());
+  Array<std::uint64_t> keys;
+  Array<std::uint32_t> order;
+  on_.reserve(keys, count);
+  on_.reserve(order, count);
+  on_.for_each(count,
+               MakeKey{sorted.lattice, packer(), set.position.data(), keys.data(), order.data()});
+  const auto columns = sorted.lattice.columns();
+  on_.sort(keys, order, 32 + static_cast<int>(std::bit_width(columns)));
+  on_.reserve(sorted.first, columns + 1);
+  on_.for_each(columns + 1, FindColumn{keys.data(), count, sorted.first.data()});
+  on_.release(keys);
+  set.permute(on_, order);
+  on_.reserve(sorted.places, count);
+  on_.for_each(count, MakePlace{packer(), set.position.data(), sorted.places.data()});
+  return sorted;
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::list_pairs() {
+  const std::size_t fluids = fluid_.size();
+  const auto columns = [](const SortedSet& set, std::size_t offset) {
+    return ColumnSet{set.lattice, set.first.data(), set.places.data(),
+                     static_cast<std::uint32_t>(offset)};
+  };
+  const PairSearch search{columns(sorted_fluid_, 0),
+                          columns(sorted_boundary_, fluids),
+                          fluids,
+                          fluid_.position.data(),
+                          boundary_.position.data(),
+                          packer(),
+                          scale_.unit,
+                          list_radius(),
+                          Images(model_.periodic)};
+  on_.reserve(fluid_neighbours_, all());
+  on_.reserve(neighbours_, all());
+  on_.reserve(has_neighbours_, fluids);
+  on_.for_each(all(), CountPairs{search, fluid_neighbours_.data(), neighbours_.data(),
+                                 has_neighbours_.data()});
+  const std::size_t slices = (all() + PairRows::slice - 1) / PairRows::slice;
+  on_.reserve(slice_starts_, slices + 1);
+  on_.for_each(slices + 1, MeasureSlice{neighbours_.data(), all(), slice_starts_.data()});
+  on_.scan(slice_starts_);
+  on_.reserve(entries_, on_.last(slice_starts_));
+  on_.for_each(all(), WritePairs{search, slice_starts_.data(), entries_.data()});
+  fluid_pairs_ = on_.template reduce<PairCount>(fluids, SumPairs{neighbours_.data()}).pairs;
+  boundary_pairs_ =
+      on_.template reduce<PairCount>(boundary_.size(), SumPairs{neighbours_.data() + fluids}).pairs;
+}
+
+template <class Executor>
+bool DeviceBackend<Executor>::neighbours_are_stale(double margin) const {
+  const Clock clock(*this, "checks and sums");
+  const bool has_changed =
+      fluid_copy_.is_lent && fluid_copy_.particles.size() != list_position_.size();
+  if (!has_list_ || has_changed || list_position_.size() != fluid_.size()) return true;
+  const FindLongestWay find{fluid_.position.data(), list_position_.data()};
+  const double moved = std::sqrt(on_.template reduce<Longest>(fluid_.size(), find).square);
+  if (!(moved + margin <= skin_)) return true;
+  return 2 * (moved + margin) > skin_ && !(relative_way() + 2 * margin <= skin_);
+}
+
+/// The most that two particles which could have met have moved against each other, m.
+template <class Executor>
+double DeviceBackend<Executor>::relative_way() const {
+  const FindWay way{fluid_.position.data(), list_position_.data()};
+  // Across a border of the box columns far from each other are neighbours.
+  if (model_.periodic.any()) {
+    const auto box = on_.template reduce<CloudBox>(fluid_.size(), way);
+    return norm(box.high - box.low);
+  }
+  const ColumnLattice& lattice = sorted_fluid_.lattice;
+  Array<CloudBox> ways;
+  on_.reserve(ways, lattice.columns());
+  on_.for_each(ways.size(), FindColumnWays{way, sorted_fluid_.first.data(), ways.data()});
+  const FindLongestRelativeWay longest{lattice, ways.data()};
+  return std::sqrt(on_.template reduce<Longest>(ways.size(), longest).square);
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::list_awake() {
+  list_kept(on_, fluid_.size(), IsAwake{model_, fluid_.calm.data(), fluid_.driven.data()}, awake_);
+}
+
+/// Driven particles, with their state, and the walls near them.
+template <class Executor>
+void DeviceBackend<Executor>::list_driven() {
+  list_kept(on_, fluid_.size(), IsDriven{fluid_.driven.data()}, driven_);
+  on_.reserve(driven_walls_, 0);
+  if (driven_.size() == 0) return;
+  std::visit(
+      [&](const auto& law) { over_driven(SettleDriven<std::decay_t<decltype(law)>>{view(), law}); },
+      model_.rheology);
+  const MayTouchDriven<RowNear> may_touch{view(), RowNear{rows()}};
+  list_kept(on_, boundary_.size(), may_touch, driven_walls_);
+  hold_walls();
+}
+
+/// What the implicit sweeps keep while the same particles are awake.
+template <class Executor>
+void DeviceBackend<Executor>::prepare_rows() {
+  velocity_step_.reset(on_, 0);
+  Array<char> is_awake;
+  on_.zero(is_awake, fluid_.size());
+  over_awake(MarkAwake{is_awake.data()});
+  list_kept(on_, boundary_.size(), IsTouched{fluid_.size(), rows(), is_awake.data()}, touched_);
+}
+
+}  // namespace sabo

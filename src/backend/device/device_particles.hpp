@@ -1,0 +1,81 @@
+#pragma once
+
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "particles/particle_view.hpp"
+
+namespace sabo {
+
+/// Value k of the result is value order[k] of the source.
+template <class T>
+struct Gather {
+  const T* from;
+  const std::uint32_t* order;
+  T* to;
+  SABO_HD void operator()(std::size_t k) const { to[k] = from[order[k]]; }
+};
+
+/// Memory that arrays take, bytes.
+template <class... Arrays>
+std::size_t bytes_of(const Arrays&... arrays) {
+  return (std::size_t{0} + ... + (arrays.size() * sizeof(*arrays.data())));
+}
+
+/// A set of particles in the memory of an executor.
+template <class Executor>
+class DeviceParticles {
+ public:
+  template <class T>
+  using Array = typename Executor::template Array<T>;
+
+#define SABO_DECLARE_ARRAY(type, name, unit, meaning, is_shown) Array<type> name;
+  SABO_PARTICLE_FIELDS(SABO_DECLARE_ARRAY)
+#undef SABO_DECLARE_ARRAY
+
+  std::size_t size() const { return position.size(); }
+
+  std::size_t bytes() const {
+    std::size_t sum = 0;
+#define SABO_ADD_BYTES(type, name, unit, meaning, is_shown) sum += name.size() * sizeof(type);
+    SABO_PARTICLE_FIELDS(SABO_ADD_BYTES)
+#undef SABO_ADD_BYTES
+    return sum;
+  }
+
+  void upload(const Executor& on, const Particles& from) {
+#define SABO_UPLOAD(type, name, unit, meaning, is_shown) on.upload(from.name, name);
+    SABO_PARTICLE_FIELDS(SABO_UPLOAD)
+#undef SABO_UPLOAD
+  }
+
+  void download(const Executor& on, Particles& to) const {
+#define SABO_DOWNLOAD(type, name, unit, meaning, is_shown) on.download(name, to.name);
+    SABO_PARTICLE_FIELDS(SABO_DOWNLOAD)
+#undef SABO_DOWNLOAD
+  }
+
+  /// Row k becomes what row order[k] was; one field at a time, for the memory that it takes.
+  void permute(const Executor& on, const Array<std::uint32_t>& order){
+#define SABO_PERMUTE(type, name, unit, meaning, is_shown)                                \
+  {                                                                                      \
+    Array<type> gathered;                                                                \
+    on.reserve(gathered, order.size());                                                  \
+    on.for_each(order.size(), Gather<type>{name.data(), order.data(), gathered.data()}); \
+    std::swap(name, gathered);                                                           \
+  }
+      SABO_PARTICLE_FIELDS(SABO_PERMUTE)
+#undef SABO_PERMUTE
+  }
+
+  ParticleView view() {
+    ParticleView view;
+#define SABO_POINT(type, name, unit, meaning, is_shown) view.name = name.data();
+    SABO_PARTICLE_FIELDS(SABO_POINT)
+#undef SABO_POINT
+    return view;
+  }
+};
+
+}  // namespace sabo

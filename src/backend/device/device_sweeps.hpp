@@ -1,0 +1,207 @@
+#pragma once
+
+#include <variant>
+
+#include "backend/device/device_neighbours.hpp"
+#include "backend/sweeps/boundary_sweeps.hpp"
+#include "backend/sweeps/driven.hpp"
+#include "backend/sweeps/explicit_sweeps.hpp"
+
+// The sweeps of the method of the paper, sums over all particles, and loads on bodies.
+
+namespace sabo {
+
+template <class Executor>
+void DeviceBackend<Executor>::pressure() {
+  const Clock clock(*this, "pressure");
+  for (DeviceParticles<Executor>* set : {&fluid_, &boundary_})
+    on_.for_each(set->size(), FindPressure{model_.state, set->view()});
+  fluid_copy_.outdate();
+  boundary_copy_.outdate();
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::pack_motion() {
+  const Clock clock(*this, "records");
+  on_.reserve(motion_, all());
+  on_.for_each(fluid_.size(), PackMotion{packer(), fluid_.view(), 0, motion_.data()});
+  on_.for_each(boundary_.size(),
+               PackMotion{packer(), boundary_.view(), fluid_.size(), motion_.data()});
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::strain_and_density_rates() {
+  need_explicit_arrays();
+  pack_motion();
+  const Clock clock(*this, "motion sweep", fluid_pairs_ + boundary_pairs_);
+  on_.for_each(all(),
+               MotionSweep{pair_sums(), motion_.data(), strain_.data(), density_rate_.data()});
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::stress() {
+  const Clock clock(*this, "stress");
+  const bool nested = model_.viscous_operator == ViscousOperator::nested;
+  const bool wall = nested && model_.boundary_stress != BoundaryStress::none;
+  const FlowView flow = view();
+  std::visit(
+      [&](const auto& law) {
+        using Law = std::decay_t<decltype(law)>;
+        on_.for_each(fluid_.size(), FindStress<Law>{flow, law, flow.fluid, 0, nested});
+        on_.for_each(boundary_.size(),
+                     FindStress<Law>{flow, law, flow.boundary, fluid_.size(), wall});
+      },
+      model_.rheology);
+  fluid_copy_.outdate();
+  boundary_copy_.outdate();
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::momentum() {
+  {
+    const Clock clock(*this, "records");
+    on_.reserve(stress_records_, all());
+    const auto pack = [&](const ParticleView& of, std::size_t offset) {
+      return PackStress{
+          packer(), of, offset, stress_.data(), motion_.data(), stress_records_.data()};
+    };
+    on_.for_each(fluid_.size(), pack(fluid_.view(), 0));
+    on_.for_each(boundary_.size(), pack(boundary_.view(), fluid_.size()));
+  }
+  {
+    const Clock clock(*this, "force sweep", fluid_pairs_);
+    const auto sweep = [&]<bool two_point, bool artificial>() {
+      on_.for_each(fluid_.size(),
+                   ForceSweep<two_point, artificial>{pair_sums(), stress_records_.data(), view()});
+    };
+    const bool artificial = model_.artificial_viscosity > 0;
+    if (model_.viscous_operator == ViscousOperator::morris)
+      artificial ? sweep.template operator()<true, true>()
+                 : sweep.template operator()<true, false>();
+    else
+      artificial ? sweep.template operator()<false, true>()
+                 : sweep.template operator()<false, false>();
+  }
+  if (!body_loads_.loads().empty()) {
+    body_loads_.clear();
+    add_to_bodies(StressOnBody{view()});
+  }
+  hold_driven();
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::hold_driven() {
+  over_driven(HoldDriven{view()});
+  hold_walls();
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::hold_walls() {
+  using Hold = HoldWall<RowNear>;
+  on_.for_each(driven_walls_.size(), AtRow<Hold>{driven_walls_.data(), {view(), RowNear{rows()}}});
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::extrapolate_to_boundary() {
+  const Clock clock(*this, "start of the boundary");
+  on_.for_each(boundary_.size(), ExtrapolateToBoundary<RowNear>{view(), RowNear{rows()}});
+  boundary_copy_.outdate();
+}
+
+/// Adds force(i, b, pair) on boundary particle b by each fluid particle i near it, N.
+template <class Executor>
+template <class PairForce>
+void DeviceBackend<Executor>::add_to_bodies(const PairForce& force) {
+  const Clock clock(*this, "bodies");
+  using Sum = SumOnBody<RowNear, PairForce>;
+  on_.for_each(body_rows_.size(),
+               Sum{view(), RowNear{rows()}, body_rows_.data(), force, row_forces_.data()});
+  on_.download(row_forces_, row_forces_copy_);
+  body_loads_.add(row_forces_copy_);
+}
+
+template <class Executor>
+FlowExtremes DeviceBackend<Executor>::extremes() const {
+  const Clock clock(*this, "checks and sums");
+  Fastest fastest;
+  for (const RowList& rows : {awake(), driven()}) {
+    const FindFastest find{rows.index,           has_neighbours_.data(),  fluid_.velocity.data(),
+                           acceleration_.data(), fluid_.viscosity.data(), fluid_.density.data()};
+    if (rows.count > 0) fastest.join(on_.template reduce<Fastest>(rows.count, find));
+  }
+  return fastest.extremes();
+}
+
+template <class Executor>
+FlowHealth DeviceBackend<Executor>::health() const {
+  const Clock clock(*this, "checks and sums");
+  const FindCondition find{fluid_.position.data(), fluid_.velocity.data(), fluid_.density.data(),
+                           model_.state.rho0};
+  const auto condition = on_.template reduce<Condition>(fluid_.size(), find);
+  return {condition.lowest, condition.highest, condition.broken == 0};
+}
+
+template <class Executor>
+double DeviceBackend<Executor>::dissipation() const {
+  const Clock clock(*this, "checks and sums");
+  if (pressure_power_.size() != fluid_.size()) return 0;  // before the first evaluation
+  const FindDissipation find{model_,
+                             fluid_.position.data(),
+                             fluid_.velocity.data(),
+                             acceleration_.data(),
+                             fluid_.mass.data(),
+                             fluid_.driven.data(),
+                             pressure_power_.data()};
+  return on_.template reduce<Total>(fluid_.size(), find).value;
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::predict(double dt) {
+  const Clock clock(*this, "integration");
+  on_.copy(fluid_.position, start_position_);
+  on_.copy(fluid_.velocity, start_velocity_);
+  on_.copy(fluid_.density, start_density_);
+  on_.copy(boundary_.density, start_boundary_density_);
+  on_.for_each(fluid_.size(), PredictFluid{view(), 0.5 * dt});
+  on_.for_each(boundary_.size(), PredictBoundary{view(), 0.5 * dt});
+  fluid_copy_.outdate();
+  boundary_copy_.outdate();
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::correct(double dt) {
+  const Clock clock(*this, "integration");
+  const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
+                        start_boundary_density_.data()};
+  on_.for_each(fluid_.size(), CorrectFluid{view(), start, dt});
+  on_.for_each(boundary_.size(), CorrectBoundary{view(), start, dt});
+  fluid_copy_.outdate();
+  boundary_copy_.outdate();
+}
+
+template <class Executor>
+std::size_t DeviceBackend<Executor>::device_bytes() const {
+  return fluid_.bytes() + boundary_.bytes() + velocity_step_.bytes() +
+         bytes_of(half_space_, slice_starts_, entries_, fluid_neighbours_, neighbours_,
+                  list_position_, awake_, touched_, driven_, driven_walls_, has_neighbours_, strain_, density_rate_,
+                  acceleration_, motion_) +
+         bytes_of(stress_, pressure_power_, stress_records_, start_position_, start_velocity_,
+                  start_density_, start_boundary_density_) +
+         bytes_of(wall_share_, filling_, wall_drag_, support_, wall_slope_, background_, shift_,
+                  artificial_heat_, diffusion_rate_, flow_records_, wall_weight_, closings_) +
+         bytes_of(body_rows_, row_forces_, sorted_fluid_.first);
+}
+
+template <class Executor>
+const std::vector<Vec3d>& DeviceBackend<Executor>::accelerations() const {
+  on_.download(acceleration_, accelerations_copy_);
+  return accelerations_copy_;
+}
+
+template <class Executor>
+const std::vector<double>& DeviceBackend<Executor>::density_rates() const {
+  on_.download(density_rate_, density_rates_copy_);
+  return density_rates_copy_;
+}
+
+}  // namespace sabo

@@ -1,0 +1,293 @@
+#pragma once
+
+#include "backend/device/pair_sweeps.hpp"
+#include "backend/sweeps/sleep.hpp"
+#include "backend/viscous_solver.hpp"
+#include "physics/pair/wall_contact.hpp"
+
+// The sums over pairs of the implicit method, one particle at a time, in single precision.
+
+namespace sabo {
+
+struct MarkAwake {
+  char* is_awake;
+  SABO_HD void operator()(std::size_t i) const { is_awake[i] = 1; }
+};
+
+/// Whether a boundary particle, counted from the first, has a fluid particle near it that is awake.
+struct IsTouched {
+  std::size_t fluid_count;
+  PairRows rows;
+  const char* is_awake;
+  SABO_HD bool operator()(std::size_t b) const {
+    const std::size_t i = fluid_count + b;
+    for (std::uint32_t k = 0; k < rows.fluid[i]; ++k)
+      if (is_awake[rows.at(i, k)]) return true;
+    return false;
+  }
+};
+
+struct PackFlow {
+  RecordPacker pack;
+  FlowView flow;
+  FlowRecord* records;
+  SABO_HD void operator()(std::size_t i) const { records[i] = pack.flow(flow.fluid, i); }
+};
+
+/// Pressure, density and record of a wall particle from the fluid near it (Adami et al. 2012,
+/// Eq. 27), and the sum of weights that belongs to it.
+struct WallPressureSweep {
+  PairSums pairs;
+  RecordPacker pack;
+  FlowView flow;
+  FlowRecord* records;
+  float* weights;  ///< by boundary particle
+
+  SABO_HD void operator()(std::size_t b) const {
+    const PairScale& scale = pairs.scale;
+    const std::size_t i = flow.fluid_count + b;
+    const IntegerPlace me = pack.place(flow.boundary.position[b]);
+    const Vec3f force =
+        in_single(flow.model.gravity) - scale.central * scale.from_origin(me.x, me.y, me.z);
+    const auto kernel = pairs.kernel();
+    const float rho2 = scale.rho0 * scale.rho0;
+    float weight = 0, pressure = 0;
+    for (std::uint32_t k = 0; k < pairs.rows.fluid[i]; ++k) {
+      const FlowRecord j = records[pairs.rows.at(i, k)];
+      const Vec3f x = pairs.separation(me, j);
+      const float w = kernel.value(norm(x));
+      weight += w;
+      pressure += w * (j.pressure * rho2 + j.density * dot(force, x));
+    }
+    weights[b] = weight;
+    const double mean = weight > 0 ? pressure / weight : 0.0f;
+    // A wall does not pull.
+    flow.boundary.pressure[b] = larger(mean, 0.0);
+    flow.boundary.density[b] = flow.model.state.density(flow.boundary.pressure[b]);
+    records[i] = pack.flow(flow.boundary, b);
+  }
+};
+
+/// Records of motion at the places of the other ones.
+struct PackMotionBeside {
+  RecordPacker pack;
+  ParticleView of;
+  std::size_t offset;
+  const FlowRecord* places;
+  MotionRecord* records;
+  SABO_HD void operator()(std::size_t i) const {
+    const FlowRecord& at = places[offset + i];
+    records[offset + i] = pack.motion(of, i, {at.x, at.y, at.z});
+  }
+};
+
+/// Entry of the viscous matrix, kg/s.
+SABO_HD inline float conductance(const PairGeometry<float>& pair, const FlowRecord& i,
+                                 const FlowRecord& j) {
+  return viscous_conductance(pair, pair_viscosity(i.viscosity, j.viscosity), i.volume, j.volume);
+}
+
+/// Acceleration by the body force and pressure, the row sum of the viscous matrix, and where the
+/// walls are. `with_motion`: for artificial viscosity and moving walls.
+template <bool with_motion>
+struct NearForceSweep {
+  PairSums pairs;
+  const FlowRecord* records;
+  const MotionRecord* motion;
+  FlowView flow;
+  float* conductance_sum;
+
+  struct Sums {
+    Vec3f acceleration;
+    float conductance = 0, artificial_heat = 0;
+    float filling = 0, share = 0;
+    Vec3f filling_gradient, gradient, wall_velocity;
+  };
+
+  SABO_HD void operator()(std::size_t i) const {
+    const std::uint32_t fluid = pairs.rows.fluid[i], count = pairs.rows.count[i];
+    const FlowRecord me = records[i];
+    Sums sums;
+    for (std::uint32_t k = 0; k < fluid; ++k) add_fluid(i, me, pairs.rows.at(i, k), sums);
+    for (std::uint32_t k = fluid; k < count; ++k) add_wall(me, pairs.rows.at(i, k), sums);
+    const float own = pairs.scale.kernel_alpha * me.volume;  // W(0) V
+    flow.acceleration[i] =
+        flow.model.body_force(flow.fluid.position[i]) + in_double(sums.acceleration);
+    if constexpr (with_motion)
+      if (flow.artificial_heat) flow.artificial_heat[i] = sums.artificial_heat;
+    conductance_sum[i] = sums.conductance;
+    flow.filling[i] = {own + sums.filling + sums.share,
+                       in_double(sums.filling_gradient + sums.gradient)};
+    flow.wall[i] = {sums.share, in_double(sums.gradient), in_double(sums.wall_velocity)};
+  }
+
+ private:
+  SABO_HD void add_fluid(std::size_t i, const FlowRecord& me, std::uint32_t index,
+                         Sums& sums) const {
+    const FlowRecord j = records[index];
+    const auto pair = pairs.geometry(me, j);
+    sums.acceleration += pressure_force(pair, me.pressure, j.pressure, j.mass);
+    sums.conductance += conductance(pair, me, j);
+    sums.filling += j.volume * pairs.kernel().value(std::sqrt(pair.r2));
+    sums.filling_gradient += (j.volume * pair.gradient) * pair.x;
+    if constexpr (with_motion) {
+      const Vec3f v = PairSums::velocity(motion[i]) - PairSums::velocity(motion[index]);
+      const auto artificial = artificial_viscosity(
+          pair, v, pairs.scale.alpha_c0_h, 2 * j.mass / (me.density + j.density), pairs.scale.eta2);
+      sums.acceleration += artificial.acceleration;
+      sums.artificial_heat += artificial.heat;
+    }
+  }
+
+  SABO_HD void add_wall(const FlowRecord& me, std::uint32_t index, Sums& sums) const {
+    const FlowRecord j = records[index];
+    const auto pair = pairs.geometry(me, j);
+    sums.acceleration += pressure_force(pair, me.pressure, j.pressure, j.mass);
+    const float part = j.volume * pairs.kernel().value(std::sqrt(pair.r2));
+    sums.share += part;
+    sums.gradient += (j.volume * pair.gradient) * pair.x;
+    if constexpr (with_motion) sums.wall_velocity += part * PairSums::velocity(motion[index]);
+  }
+};
+
+/// q = m p + dt (sum_j a_ij (p_i - p_j) + drag p), and p.q. The entries a_ij are taken anew each
+/// time: to keep them would double the memory of the list.
+struct ViscousProduct {
+  PairSums pairs;
+  const FlowRecord* records;
+  const std::uint32_t* rows;
+  const Quad<float>* p;
+  const float* mass;
+  const float* drag;
+  float dt;
+  Quad<float>* q;
+
+  SABO_HD void operator()(std::size_t place, Dot& sum) const {
+    const std::size_t i = rows[place];
+    const FlowRecord me = records[i];
+    const Quad<float> mine = p[i];
+    Vec3f flow{drag[i] * mine.x, drag[i] * mine.y, drag[i] * mine.z};
+    for (std::uint32_t k = 0; k < pairs.rows.fluid[i]; ++k) {
+      const std::uint32_t index = pairs.rows.at(i, k);
+      const FlowRecord j = records[index];
+      const Quad<float> other = p[index];
+      const float a = conductance(pairs.geometry(me, j), me, j);
+      flow += a * Vec3f{mine.x - other.x, mine.y - other.y, mine.z - other.z};
+    }
+    const Quad<float> result{mass[i] * mine.x + dt * flow.x, mass[i] * mine.y + dt * flow.y,
+                             mass[i] * mine.z + dt * flow.z};
+    q[i] = result;
+    sum.join({double(mine.x) * result.x, double(mine.y) * result.y, double(mine.z) * result.z});
+  }
+};
+
+/// Rate at which fluid closes in on a wall particle under pressure (physics/pair/wall_contact.hpp).
+struct WallClosingSweep {
+  PairSums pairs;
+  const MotionRecord* records;
+  FlowView flow;
+  const float* weights;
+  ClosingRecord* closings;  ///< by boundary particle
+
+  SABO_HD void operator()(std::size_t b) const {
+    closings[b] = {};
+    if (!(flow.boundary.pressure[b] > 0)) return;
+    const std::size_t i = flow.fluid_count + b;
+    const MotionRecord me = records[i];
+    const Vec3f velocity = PairSums::velocity(me);
+    float rate = 0;
+    Vec3f gradient;
+    for (std::uint32_t k = 0; k < pairs.rows.fluid[i]; ++k) {
+      const MotionRecord j = records[pairs.rows.at(i, k)];
+      const auto pair = pairs.geometry(me, j);
+      rate += closing(pair, velocity - PairSums::velocity(j));
+      gradient += pair.gradient * pair.x;
+    }
+    const float scale = 1 / weights[b];
+    closings[b] = {scale * rate, scale * gradient.x, scale * gradient.y, scale * gradient.z, {}};
+  }
+};
+
+/// Strain rate and density rate of the fluid with its new velocity.
+struct NearMotionSweep {
+  PairSums pairs;
+  const MotionRecord* records;
+  const ClosingRecord* closings;  ///< by boundary particle
+  FlowView flow;
+
+  struct Sums {
+    Sym3<float> eps;
+    float rate = 0, diffusion_rate = 0, wall_rate = 0, support = 0;
+  };
+
+  SABO_HD void operator()(std::size_t i) const {
+    const MotionRecord me = records[i];
+    Sums sums;
+    add_fluid(i, me, sums);
+    add_walls(i, me, sums);
+    const float support = sums.support * (-1.0f / static_cast<float>(pairs.scale.dimension));
+    // Where a part of the kernel is empty every derivative comes out too small by about that part.
+    const double scale = 1 / larger(support, 0.4f);
+    flow.strain[i] = scale * in_double(sums.eps);
+    flow.diffusion_rate[i] = sums.diffusion_rate;
+    flow.density_rate[i] = sums.rate + sums.diffusion_rate + one_sided(sums.wall_rate, me.excess);
+    flow.support[i] = support;
+  }
+
+ private:
+  SABO_HD void add_fluid(std::size_t i, const MotionRecord& me, Sums& sums) const {
+    const Vec3f velocity = PairSums::velocity(me);
+    const auto diffusion =
+        pairs.diffusion(flow.background ? in_single(flow.background[i]) : Vec3f{});
+    for (std::uint32_t k = 0; k < pairs.rows.fluid[i]; ++k) {
+      const MotionRecord j = records[pairs.rows.at(i, k)];
+      const auto pair = pairs.geometry(me, j);
+      const Vec3f v = velocity - PairSums::velocity(j);
+      const float mass = pairs.mass(j);
+      sums.rate += continuity(pair, v, mass);
+      sums.diffusion_rate += diffusion(pair, me.excess, j.excess, mass);
+      sums.eps += strain_rate(pair, v, j.volume);
+      sums.support += j.volume * pair.gradient * pair.r2;
+    }
+  }
+
+  /// The flow goes on into the wall as it comes from it, through the wall's velocity at the wall
+  /// (Morris et al. 1997): the difference grows with the distance along the normal.
+  SABO_HD void add_walls(std::size_t i, const MotionRecord& me, Sums& sums) const {
+    const Vec3f velocity = PairSums::velocity(me);
+    const Vec3d& n = flow.wall_slope[i];
+    const Vec3f slope = in_single(n);
+    const Vec3f normal = in_single(norm(n) > 0 ? normalised(n) : n);
+    const auto kernel = pairs.kernel();
+    for (std::uint32_t k = pairs.rows.fluid[i]; k < pairs.rows.count[i]; ++k) {
+      const std::uint32_t index = pairs.rows.at(i, k);
+      const MotionRecord j = records[index];
+      const auto pair = pairs.geometry(me, j);
+      const Vec3f v = velocity - PairSums::velocity(j);
+      const float mass = pairs.mass(j);
+      const float weight = kernel.value(std::sqrt(pair.r2));
+      const ClosingRecord c = closings[index - pairs.fluid_count];
+      sums.wall_rate += continuity(pair, v, mass) +
+                        handed_back(mass * weight, along(v, normal), c.rate, {c.gx, c.gy, c.gz});
+      sums.eps += strain_rate(pair, larger(dot(slope, pair.x), 0.0f) * v, j.volume);
+      sums.support += j.volume * pair.gradient * pair.r2;
+    }
+  }
+};
+
+/// Whether a fluid particle takes part in the sweeps.
+struct IsAwake {
+  FlowModel model;
+  const double* calm;
+  const std::uint16_t* driven;
+  SABO_HD bool operator()(std::size_t i) const {
+    return driven[i] == 0 && !is_asleep(model, calm[i]);
+  }
+};
+
+struct CountWoken {
+  const char* wakes;
+  SABO_HD void operator()(std::size_t i, Total& sum) const { sum.value += wakes[i]; }
+};
+
+}  // namespace sabo

@@ -1,0 +1,157 @@
+#pragma once
+
+#include <cmath>
+
+#include "backend/device/column_search.hpp"
+#include "backend/device/pair_rows.hpp"
+#include "backend/flow_view.hpp"
+#include "physics/pair/density.hpp"
+#include "physics/pair/forces.hpp"
+#include "physics/pair/strain_rate.hpp"
+
+// The sums over pairs of the method of the paper, one particle at a time, in single precision.
+
+namespace sabo {
+
+/// What all sums over pairs know.
+struct PairSums {
+  PairScale scale;
+  PairRows rows;
+  std::size_t fluid_count;
+
+  SABO_HD WendlandC2<float> kernel() const { return {scale.h, scale.kernel_alpha}; }
+
+  /// x_i - x_j from integer positions; on periodic axes the nearest image.
+  template <class I, class J>
+  SABO_HD Vec3f separation(const I& i, const J& j) const {
+    using std::rint;
+    Vec3f x = scale.unit * Vec3f{float(difference(i.x, j.x)), float(difference(i.y, j.y)),
+                                 float(difference(i.z, j.z))};
+    if (scale.periodic) {
+      x -= rint(x.x * scale.inverse_period[0]) * scale.period[0];
+      x -= rint(x.y * scale.inverse_period[1]) * scale.period[1];
+      x -= rint(x.z * scale.inverse_period[2]) * scale.period[2];
+    }
+    return x;
+  }
+  template <class Record>
+  SABO_HD PairGeometry<float> geometry(const Record& i, const Record& j) const {
+    return pair_geometry(separation(i, j), kernel());
+  }
+
+  SABO_HD DensityDiffusion<float> diffusion(const Vec3f& background) const {
+    return {scale.two_zeta_h_c0, scale.eta2, background};
+  }
+  SABO_HD float mass(const MotionRecord& of) const {
+    return of.volume * (scale.rho0 + scale.rho0 * of.excess);
+  }
+  template <class Record>
+  SABO_HD static Vec3f velocity(const Record& of) {
+    return {of.vx, of.vy, of.vz};
+  }
+};
+
+SABO_HD inline Vec3d in_double(const Vec3f& v) { return {v.x, v.y, v.z}; }
+SABO_HD inline Vec3f in_single(const Vec3d& v) { return {float(v.x), float(v.y), float(v.z)}; }
+SABO_HD inline Sym3<double> in_double(const Sym3<float>& s) {
+  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
+}
+
+/// Strain rate and density rate of all particles.
+struct MotionSweep {
+  PairSums pairs;
+  const MotionRecord* records;
+  Sym3<double>* strain;
+  double* density_rate;
+
+  SABO_HD void operator()(std::size_t i) const {
+    const PairScale& scale = pairs.scale;
+    const MotionRecord me = records[i];
+    const Vec3f velocity = PairSums::velocity(me);
+    const bool is_fluid = i < pairs.fluid_count;
+    const auto diffusion = pairs.diffusion(
+        scale.hydrostatic - scale.hydrostatic_slope * scale.from_origin(me.x, me.y, me.z));
+    const std::uint32_t fluid = pairs.rows.fluid[i], count = pairs.rows.count[i];
+    Sym3<float> eps;
+    float rate = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const MotionRecord j = records[pairs.rows.at(i, k)];
+      const auto pair = pairs.geometry(me, j);
+      const Vec3f v = velocity - PairSums::velocity(j);
+      const float mass = pairs.mass(j);
+      const bool across_wall = is_fluid != (k < fluid);
+      const float wall = across_wall ? scale.wall_velocity_factor : 1.0f;
+      rate += continuity(pair, v, mass);
+      if (is_fluid && !across_wall) rate += diffusion(pair, me.excess, j.excess, mass);
+      eps += strain_rate(pair, wall * v, j.volume);
+    }
+    strain[i] = in_double(eps);
+    density_rate[i] = rate;
+  }
+};
+
+/// Acceleration by the body force, pressure and viscosity, and the power of pressure. The switches
+/// that cost most are known when it is compiled.
+template <bool two_point, bool artificial>
+struct ForceSweep {
+  PairSums pairs;
+  const StressRecord* records;
+  FlowView flow;
+
+  SABO_HD void operator()(std::size_t i) const {
+    const PairScale& scale = pairs.scale;
+    const StressRecord me = records[i];
+    const Vec3f velocity = PairSums::velocity(me);
+    const std::uint32_t fluid = pairs.rows.fluid[i], count = pairs.rows.count[i];
+    Vec3f a;
+    float power = 0;
+    for (std::uint32_t k = 0; k < count; ++k) {
+      const StressRecord j = records[pairs.rows.at(i, k)];
+      const auto pair = pairs.geometry(me, j);
+      a += stress_force(pair, stress(me), stress(j), j.mass);
+      power += pressure_power(pair, velocity, me.pressure, j.pressure, j.mass);
+      const Vec3f v = velocity - PairSums::velocity(j);
+      if constexpr (two_point) {
+        const float mu = k < fluid ? pair_viscosity(me.viscosity, j.viscosity)
+                                   : scale.wall_velocity_factor * me.viscosity;
+        a += morris_force(pair, v, mu, j.mass / (me.density * j.density), scale.eta2);
+      }
+      if constexpr (artificial)
+        a += artificial_viscosity(pair, v, scale.alpha_c0_h, 2 * j.mass / (me.density + j.density),
+                                  scale.eta2)
+                 .acceleration;
+    }
+    flow.acceleration[i] = flow.model.body_force(flow.fluid.position[i]) + in_double(a);
+    flow.pressure_power[i] = power;
+  }
+
+ private:
+  SABO_HD static Sym3<float> stress(const StressRecord& of) {
+    return {of.xx, of.xy, of.xz, of.yy, of.yz, of.zz};
+  }
+};
+
+/// Records of all particles of one set.
+struct PackMotion {
+  RecordPacker pack;
+  ParticleView of;
+  std::size_t offset;
+  MotionRecord* records;
+  SABO_HD void operator()(std::size_t i) const {
+    records[offset + i] = pack.motion(of, i, pack.place(of.position[i]));
+  }
+};
+struct PackStress {
+  RecordPacker pack;
+  ParticleView of;
+  std::size_t offset;
+  const Sym3<double>* stress;
+  const MotionRecord* motion;
+  StressRecord* records;
+  SABO_HD void operator()(std::size_t i) const {
+    const std::size_t at = offset + i;
+    records[at] = pack.stress(of, i, stress[at], motion[at]);
+  }
+};
+
+}  // namespace sabo

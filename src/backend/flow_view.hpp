@@ -1,0 +1,56 @@
+#pragma once
+
+#include "backend/filling.hpp"
+#include "backend/model.hpp"
+#include "backend/wall_share.hpp"
+#include "math/sym3.hpp"
+#include "particles/particle_view.hpp"
+#include "physics/half_space.hpp"
+
+namespace sabo {
+
+/// What the sweeps over single particles work on: the model and where the arrays are, in the memory
+/// of the host or of a device. Arrays over all particles hold the fluid first; an array that no
+/// sweep of the method at hand reads may be missing.
+struct FlowView {
+  FlowModel model;
+  double yield_slope = 0;  ///< of the model's yield: a tangent that no particle has to take again
+  const HalfSpace* half_space = nullptr;
+  std::size_t fluid_count = 0;
+  ParticleView fluid, boundary;
+
+  // Results of the last evaluation.
+  Sym3<double>* strain = nullptr;    ///< eps = grad v + (grad v)^T, 1/s
+  Sym3<double>* stress = nullptr;    ///< (tau - p I) / rho^2; without tau for two-point viscosity
+  double* density_rate = nullptr;    ///< kg/m3/s
+  Vec3d* acceleration = nullptr;     ///< fluid only, as all below; m/s2
+  double* pressure_power = nullptr;  ///< v times acceleration by pressure, W/kg
+  char* has_neighbours = nullptr;
+
+  // Of the implicit method.
+  WallShare* wall = nullptr;
+  double* wall_drag = nullptr;  ///< area times resistance, kg/s
+  Vec3d* wall_slope = nullptr;  ///< normal out of the wall over the distance to it, 1/m
+  double* support = nullptr;    ///< share of the kernel that has neighbours, by its gradient
+  Vec3d* background = nullptr;  ///< density gradient that diffusion leaves alone, 1/m
+  Filling* filling = nullptr;
+  double* artificial_heat = nullptr;  ///< W/kg
+  double* diffusion_rate = nullptr;   ///< share of density diffusion in density_rate
+  Vec3d* shift = nullptr;             ///< of the last step, m
+};
+
+/// Particles that a sweep works on.
+struct RowList {
+  const std::uint32_t* index = nullptr;
+  std::size_t count = 0;
+};
+
+/// f(i) at the k-th of some rows.
+template <class F>
+struct AtRow {
+  const std::uint32_t* index;
+  F f;
+  SABO_HD void operator()(std::size_t k) const { f(std::size_t{index[k]}); }
+};
+
+}  // namespace sabo

@@ -1,0 +1,102 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <numeric>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "backend/host_loops.hpp"
+
+namespace sabo {
+
+/// Where code that is written once for hosts and devices has its arrays and runs its loops: here in
+/// the memory of the host, on its threads. backend/cuda/cuda_executor.hpp is the other one.
+///
+/// Loop bodies are structs of plain values and pointers whose operator() is SABO_HD.
+class HostExecutor {
+ public:
+  template <class T>
+  using Array = std::vector<T>;
+
+  explicit HostExecutor(int threads = 1) : threads_(threads) {}
+
+  /// f(i) for i in [0, count); f writes to i alone.
+  template <class F>
+  void for_each(std::size_t count, const F& f) const {
+    over(count, threads_, f);
+  }
+
+  /// The same where each i takes long, or takes longer than others.
+  template <class F>
+  void for_each_slow(std::size_t count, const F& f) const {
+#pragma omp parallel for num_threads(threads_) schedule(static)
+    for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i)
+      f(static_cast<std::size_t>(i));
+  }
+
+  /// Joins what f(k, sum) adds, in an order that depends on `count` alone.
+  template <class Sum, class F>
+  Sum reduce(std::size_t count, const F& f) const {
+    return blocked_sum<Sum>(count, threads_, f);
+  }
+
+  template <class T>
+  void zero(Array<T>& array, std::size_t count) const {
+    array.assign(count, T{});
+  }
+  /// Room for `count` values, which are whatever they are: here such that no sum survives them.
+  template <class T>
+  void reserve(Array<T>& array, std::size_t count) const {
+    array.resize(count);
+    if (count > 0) std::memset(static_cast<void*>(array.data()), 0xff, count * sizeof(T));
+  }
+  template <class T>
+  void release(Array<T>& array) const {
+    Array<T>().swap(array);
+  }
+
+  template <class T>
+  void upload(const std::vector<T>& from, Array<T>& to) const {
+    to = from;
+  }
+  template <class T>
+  void download(const Array<T>& from, std::vector<T>& to) const {
+    to = from;
+  }
+  template <class T>
+  void copy(const Array<T>& from, Array<T>& to) const {
+    to = from;
+  }
+  /// The last value of an array.
+  template <class T>
+  T last(const Array<T>& array) const {
+    return array.back();
+  }
+
+  /// Sorts pairs by the lowest `bits` of their keys; equal ones keep their order.
+  void sort(Array<std::uint64_t>& keys, Array<std::uint32_t>& values, int /*bits*/) const {
+    std::vector<std::pair<std::uint64_t, std::uint32_t>> pairs(keys.size());
+    for (std::size_t i = 0; i < keys.size(); ++i) pairs[i] = {keys[i], values[i]};
+    std::ranges::stable_sort(pairs, {}, &std::pair<std::uint64_t, std::uint32_t>::first);
+    for (std::size_t i = 0; i < keys.size(); ++i) std::tie(keys[i], values[i]) = pairs[i];
+  }
+
+  /// Each value becomes the sum of those before it.
+  void scan(Array<std::uint64_t>& values) const {
+    std::exclusive_scan(values.begin(), values.end(), values.begin(), std::uint64_t{0});
+  }
+
+  /// Until all that was started is done.
+  void wait() const noexcept {}
+
+  int threads() const { return threads_; }
+
+ private:
+  int threads_;
+};
+
+}  // namespace sabo

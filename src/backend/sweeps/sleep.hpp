@@ -1,0 +1,53 @@
+#pragma once
+
+#include "backend/flow_view.hpp"
+
+// Which particles take part in the sweeps of the implicit method.
+
+namespace sabo {
+
+SABO_HD inline bool is_asleep(const FlowModel& model, double calm) {
+  return model.sleep.speed > 0 && calm >= model.sleep.time;
+}
+
+/// Slow, below yield and among others.
+SABO_HD inline bool is_calm(const FlowView& flow, std::size_t i) {
+  const SleepRule& rule = flow.model.sleep;
+  if (!(rule.speed > 0) || !flow.has_neighbours[i]) return false;
+  const ParticleView& fluid = flow.fluid;
+  if (dot(fluid.velocity[i], fluid.velocity[i]) > rule.speed * rule.speed) return false;
+  const double yield = flow.model.yield(fluid.pressure[i], flow.yield_slope);
+  return fluid.viscosity[i] * fluid.shear_rate[i] < SleepRule::yield_share * yield;
+}
+
+/// Marks sleepers that have a neighbour in motion. `near(i, f)` calls f(j) for the fluid near i.
+template <class Near>
+struct FindWoken {
+  FlowView flow;
+  Near near;
+  char* wakes;
+  SABO_HD void operator()(std::size_t i) const {
+    const double speed = SleepRule::waking * flow.model.sleep.speed;
+    bool is_touched = false;
+    if (is_asleep(flow.model, flow.fluid.calm[i]))
+      near(i, [&](std::size_t j) {
+        const Vec3d& v = flow.fluid.velocity[j];
+        is_touched = is_touched || dot(v, v) > speed * speed;
+      });
+    wakes[i] = is_touched;
+  }
+};
+
+/// Wakes those that are marked and holds the others.
+struct WakeAndHold {
+  FlowView flow;
+  const char* wakes;
+  SABO_HD void operator()(std::size_t i) const {
+    if (wakes[i]) flow.fluid.calm[i] = 0;
+    if (!is_asleep(flow.model, flow.fluid.calm[i])) return;
+    flow.fluid.velocity[i] = {};
+    flow.fluid.drag[i] = {};
+  }
+};
+
+}  // namespace sabo

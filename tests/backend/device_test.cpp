@@ -1,0 +1,180 @@
+#include <map>
+#include <memory>
+
+#include "support/backends.hpp"
+#include "support/clouds.hpp"
+#include "support/scenes.hpp"
+#include <gtest/gtest.h>
+
+// What is peculiar to the backend for graphics cards: its copies on the host, its lists, its order.
+// The sums themselves are in the tests of all backends.
+
+namespace sabo {
+namespace {
+
+using test::add_particle;
+using test::On;
+
+class Device : public test::OnBackend {
+ protected:
+  std::unique_ptr<Backend> make(const FlowModel& model) {
+    return test::make_backend(GetParam(), model);
+  }
+};
+
+INSTANTIATE_TEST_SUITE_P(On, Device, testing::Values(On::device, On::cuda), test::name_of_backend);
+
+FlowModel collapsing() {
+  FlowModel model = test::plain_model(0.1, 30, 5);
+  model.rheology = Cross{5, 100, 1};
+  model.yield = {20, 20, 0};
+  return model;
+}
+
+/// A block on a floor that is wider.
+void fill(Backend& backend) {
+  test::add_block(backend.fluid(), backend.model(), {0, 6, 0, 6, 0, 6});
+  test::add_block(backend.boundary(), backend.model(), {-6, 12, -6, 12, -3, 0});
+  for (std::size_t i = 0; i < backend.fluid().size(); ++i)
+    backend.fluid().density[i] *= 1 + 0.001 * std::sin(double(i));
+}
+
+using State = std::map<std::uint32_t, std::pair<Vec3d, Vec3d>>;
+
+State state_of(Backend& backend) {
+  State state;
+  const Particles& fluid = backend.fluid();
+  for (std::size_t i = 0; i < fluid.size(); ++i)
+    state[fluid.id[i]] = {fluid.position[i], fluid.velocity[i]};
+  return state;
+}
+
+/// After a fall of `steps`; `looks`: the host asks for the particles after each of them.
+State collapsed(Backend& backend, Method method, int steps, bool looks = false) {
+  fill(backend);
+  const auto stepper = test::stepper_of(method, backend);
+  for (int k = 0; k < steps; ++k) {
+    stepper->step(2e-3);
+    if (looks) {
+      EXPECT_EQ(backend.fluid().size(), 216u);
+    }
+  }
+  return state_of(backend);
+}
+
+// Many lists later: none came too late, and no sum was of another particle.
+TEST_P(Device, MovesAFlowAsTheProcessorDoes) {
+  for (const Method method : test::both_methods) {
+    const auto device = make(collapsing()), cpu = make_backend(BackendKind::cpu, collapsing());
+    const State expected = collapsed(*cpu, method, 100);
+    const State state = collapsed(*device, method, 100);
+    ASSERT_EQ(state.size(), expected.size());
+    double moved = 0;
+    for (const auto& [id, x] : expected) {
+      moved = std::max(moved, norm(x.second));
+      EXPECT_LT(norm(state.at(id).first - x.first), 2e-4 * 0.1);
+    }
+    EXPECT_GT(moved, 0.5);  // m/s
+    EXPECT_GT(device->pass_times()["sort"].calls, 3u);
+  }
+}
+
+TEST_P(Device, GivesTheSameBitsEachTimeWhetherOrNotTheHostLooks) {
+  const auto first = make(collapsing()), again = make(collapsing()), seen = make(collapsing());
+  const State expected = collapsed(*first, Method::fast, 30);
+  EXPECT_EQ(collapsed(*again, Method::fast, 30), expected);
+  EXPECT_EQ(collapsed(*seen, Method::fast, 30, true), expected);
+}
+
+TEST_P(Device, TakesChangesOfTheHostOver) {
+  const auto backend = make(collapsing());
+  fill(*backend);
+  const auto stepper = test::stepper_of(Method::fast, *backend);
+  stepper->step();
+  // Far above all others, where it falls freely.
+  add_particle(backend->fluid(), backend->model(), {0.3, 0.3, 5}, {0, 0, -1});
+  backend->fluid().id.back() = 1000;
+  EXPECT_TRUE(backend->neighbours_are_stale(0));
+  const double t = stepper->time();
+  stepper->step();
+  const double dt = stepper->time() - t;
+  ASSERT_EQ(backend->fluid().size(), 217u);
+  const auto [position, velocity] = state_of(*backend).at(1000);
+  EXPECT_NEAR(velocity.z, -1 - 9.81 * dt, 1e-5);  // the solve is in single precision
+  EXPECT_NEAR(position.z, 5 + dt * velocity.z, 1e-12);
+}
+
+// Spacing 1, h = 1.5, list radius 2.2 h = 3.3: in a row of particles along x each lists three to
+// either side. Five of fluid, then two of boundary, which list fluid only.
+TEST_P(Device, CountsTheListedPairs) {
+  const FlowModel model = test::plain_model(1, 10, 1);
+  const auto backend = make(model);
+  for (int i = 0; i < 5; ++i) add_particle(backend->fluid(), model, {1.0 * i, 0, 0});
+  for (int i = 5; i < 7; ++i) add_particle(backend->boundary(), model, {1.0 * i, 0, 0});
+  backend->find_neighbours();
+  backend->pressure();
+  backend->strain_and_density_rates();
+  backend->stress();
+  backend->momentum();
+  EXPECT_EQ(backend->pass_times()["force sweep"].pairs, 3u + 4 + 5 + 6 + 5);
+  EXPECT_EQ(backend->pass_times()["motion sweep"].pairs, 23u + 3 + 2);
+}
+
+// The skin is 0.2 h = 0.03 m. All together may move by that, two against each other by it in all.
+TEST_P(Device, KeepsAListWhileNoPairCanHaveComeIn) {
+  const auto is_stale = [&](double left, double right, double distance, bool is_periodic) {
+    FlowModel model = test::plain_model(0.1, 10, 0);
+    model.gravity = {};
+    if (is_periodic) model.periodic.period[0] = {50, 0, 0};
+    const auto backend = make(model);
+    for (const bool is_right : {false, true}) {
+      const double speed = is_right ? right : left;
+      add_particle(backend->fluid(), model, {is_right ? distance : 0.0, 0, 0}, {speed, 0, 0});
+    }
+    backend->find_neighbours();
+    backend->pressure();
+    backend->wall_pressure();
+    backend->near_forces();
+    backend->wall_resistance();
+    EXPECT_TRUE(backend->advance_velocity(1, 1e-9, 10).converged);
+    backend->near_motion();
+    backend->advance_state(1);
+    return backend->neighbours_are_stale(0);
+  };
+  for (const bool is_periodic : {false, true}) {
+    EXPECT_FALSE(is_stale(0.014, -0.014, 0.5, is_periodic));
+    EXPECT_TRUE(is_stale(0.016, -0.016, 0.5, is_periodic));
+    EXPECT_FALSE(is_stale(0.029, 0.029, 0.5, is_periodic));
+    EXPECT_TRUE(is_stale(0.031, 0.031, 0.5, is_periodic));
+  }
+  // Columns are 0.33 m wide: 0.98 m are the most that two in three of them can be apart.
+  EXPECT_TRUE(is_stale(0.02, -0.02, 0.98, false));
+  EXPECT_FALSE(is_stale(0.02, -0.02, 1, false));
+  EXPECT_TRUE(is_stale(0.02, -0.02, 1, true));
+}
+
+TEST_P(Device, RunsWithoutGroundAndWithoutFluid) {
+  for (const Method method : test::both_methods) {
+    const auto empty = make(collapsing());
+    test::stepper_of(method, *empty)->step(1e-3);
+    EXPECT_TRUE(empty->health().is_finite);
+    const auto free = make(collapsing());
+    test::add_block(free->fluid(), free->model(), {0, 3, 0, 3, 0, 3});
+    const auto stepper = test::stepper_of(method, *free);
+    stepper->advance_to(0.01);
+    for (const Vec3d& v : free->fluid().velocity) EXPECT_NEAR(v.z, -9.81 * 0.01, 1e-6);
+  }
+}
+
+TEST_P(Device, SaysThatTheStateIsNoLongerFinite) {
+  const auto backend = make(collapsing());
+  fill(*backend);
+  backend->find_neighbours();
+  EXPECT_TRUE(backend->health().is_finite);
+  backend->fluid().velocity[7].y = std::nan("");
+  backend->find_neighbours();
+  EXPECT_FALSE(backend->health().is_finite);
+}
+
+}  // namespace
+}  // namespace sabo
