@@ -1,6 +1,6 @@
 # Short names for the usual commands. CMakePresets.json is underneath.
 .POSIX:
-.PHONY: help build demo test bench web docs validation study soak asan format tidy
+.PHONY: help build demo test bench web docs validation study soak asan tsan fuzz format tidy
 
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
@@ -18,6 +18,8 @@ help:
 	@echo 'make study    hours: run the example in all variants, rewrite the table of docs/yohutagawa.md'
 	@echo 'make soak     an hour (SOAK_MINUTES): kill runs, let them go on, compare their results'
 	@echo 'make asan     the quick tests under the address and undefined-behaviour sanitizers'
+	@echo 'make tsan     the solver and its backends under the thread sanitizer'
+	@echo 'make fuzz     each reader of files against FUZZ_SECONDS of inputs made up (60)'
 	@echo 'make format   format src/ and tests/'
 	@echo 'make tidy     static analysis of src/ by clang-tidy'
 
@@ -76,6 +78,20 @@ asan:
 	cmake --preset asan
 	cmake --build --preset asan
 	ctest --preset asan -j 2 -E '$(LONG_TESTS)'
+
+# The tests that compare numbers of threads.
+tsan:
+	@sh tools/install_packages.sh
+	cmake --preset tsan
+	cmake --build --preset tsan --target test_backend test_solver
+	ctest --preset tsan -j 2 -R Threads
+
+FUZZ_SECONDS = 60
+fuzz:
+	@sh tools/install_packages.sh
+	cmake --preset fuzz
+	cmake --build --preset fuzz
+	sh tests/fuzz/run.sh build/fuzz/tests/fuzz $(FUZZ_SECONDS) build/fuzz/found
 
 format:
 	@sh tools/install_packages.sh

@@ -11,29 +11,13 @@
 #include "io/case_file/read_case.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/raster_file.hpp"
-#include "io/output/read_file.hpp"
 #include "run/load_case.hpp"
+#include "run/read_manifest.hpp"
 
 namespace sabo {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t max_manifest = 1'000'000;  // bytes
-constexpr const char* remedy = "give a folder that `sabo run` has written";
-
-TomlTable read_manifest(const fs::path& folder) {
-  const fs::path file = folder / "manifest.toml";
-  const auto text = read_file(file, max_manifest);
-  if (!text)
-    throw CaseError(folder.string(), "is not the folder of a run: it has no readable manifest.toml",
-                    remedy);
-  Faults faults;
-  auto manifest = parse_toml(*text, file.string(), faults);
-  faults.throw_if_any();
-  if (!find(*manifest, "run")) throw CaseError(file.string(), "has no table [run]", remedy);
-  return std::move(*manifest);
-}
 
 std::vector<std::string> map_names(const fs::path& folder) {
   std::vector<std::string> names;
@@ -62,23 +46,6 @@ FinishedRun::FinishedRun(const fs::path& folder)
   if (maps_.empty() || !fs::exists(folder / "maps" / "ground.tif", error))
     throw CaseError(folder.string(), "has no maps: the run is going on, or it stopped before",
                     "wait for its end, or run it again");
-}
-
-const TomlTable& FinishedRun::table(std::string_view name) const {
-  static const TomlTable nothing;
-  const TomlNode* node = find(manifest_, name);
-  const auto* table = node ? std::get_if<TomlTable>(&node->value) : nullptr;
-  return table ? *table : nothing;
-}
-
-std::vector<const TomlTable*> FinishedRun::tables(std::string_view name) const {
-  std::vector<const TomlTable*> tables;
-  const TomlNode* node = find(manifest_, name);
-  const auto* items = node ? std::get_if<TomlArray>(&node->value) : nullptr;
-  if (!items) return tables;
-  for (const TomlNode& item : *items)
-    if (const auto* table = std::get_if<TomlTable>(&item.value)) tables.push_back(table);
-  return tables;
 }
 
 std::string FinishedRun::end() const { return text_at(table("run"), "end").value_or("unknown"); }

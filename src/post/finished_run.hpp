@@ -36,9 +36,11 @@ class FinishedRun {
   const std::string& name() const { return name_; }
   const TomlTable& manifest() const { return manifest_; }
   /// A table of the manifest; empty when it has none of that name.
-  const TomlTable& table(std::string_view name) const;
+  const TomlTable& table(std::string_view name) const { return table_at(manifest_, name); }
   /// The tables of a list in the manifest.
-  std::vector<const TomlTable*> tables(std::string_view name) const;
+  std::vector<const TomlTable*> tables(std::string_view name) const {
+    return tables_at(manifest_, name);
+  }
   /// How it ended: "finished", "interrupted", ...
   std::string end() const;
   std::string version() const;

@@ -28,9 +28,7 @@ std::string kind_of(const fs::path& folder) {
   const auto text = read_file(folder / marker, 1'000'000);
   Faults faults;
   const auto root = text ? parse_toml(*text, marker, faults) : std::nullopt;
-  const TomlNode* node = root ? find(*root, "result") : nullptr;
-  const auto* table = node ? std::get_if<TomlTable>(&node->value) : nullptr;
-  return table ? text_at(*table, "kind").value_or("") : "";
+  return root ? text_at(table_at(*root, "result"), "kind").value_or("") : "";
 }
 
 std::string marker_text(const std::string& kind, const std::vector<fs::path>& runs) {

@@ -10,6 +10,7 @@
 #include "io/gis/raster_file.hpp"
 #include "io/output/plan_file.hpp"
 #include "io/output/read_file.hpp"
+#include "run/read_manifest.hpp"
 
 namespace sabo {
 namespace {
@@ -17,26 +18,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_text = 1'000'000;  // bytes of a TOML file
-
-const TomlTable* table_in(const TomlTable& tables, std::string_view name) {
-  const TomlNode* node = find(tables, name);
-  return node ? std::get_if<TomlTable>(&node->value) : nullptr;
-}
-
-TomlTable read_manifest(const fs::path& folder) {
-  const fs::path file = folder / "manifest.toml";
-  const auto content = read_file(file, max_text);
-  if (!content)
-    throw CaseError(folder.string(), "is not the folder of a run: it has no readable manifest.toml",
-                    "give a folder that `sabo run` has written");
-  Faults faults;
-  const auto manifest = parse_toml(*content, file.string(), faults);
-  faults.throw_if_any();
-  if (!table_in(*manifest, "run"))
-    throw CaseError(file.string(), "has no table [run]",
-                    "give a folder that `sabo run` has written");
-  return *manifest;
-}
 
 }  // namespace
 
@@ -60,40 +41,28 @@ void RunRecord::read_case_file() {
 }
 
 std::optional<double> RunRecord::number(std::string_view table, std::string_view key) const {
-  const TomlTable* found = table_in(manifest_, table);
-  const auto value = found ? number_at(*found, key) : std::nullopt;
+  const auto value = number_at(table_at(manifest_, table), key);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }
 
 std::string RunRecord::text(std::string_view table, std::string_view key) const {
-  const TomlTable* found = table_in(manifest_, table);
-  return found ? text_at(*found, key).value_or("") : "";
+  return text_at(table_at(manifest_, table), key).value_or("");
 }
 
 bool RunRecord::is_true(std::string_view table, std::string_view key) const {
-  const TomlTable* found = table_in(manifest_, table);
-  const TomlNode* node = found ? find(*found, key) : nullptr;
-  const bool* value = node ? std::get_if<bool>(&node->value) : nullptr;
-  return value && *value;
+  return is_true_at(table_at(manifest_, table), key);
 }
 
-TomlTable RunRecord::table(std::string_view name) const {
-  const TomlTable* found = table_in(manifest_, name);
-  return found ? *found : TomlTable{};
-}
+TomlTable RunRecord::table(std::string_view name) const { return table_at(manifest_, name); }
 
 std::vector<TomlTable> RunRecord::list(std::string_view name) const {
   std::vector<TomlTable> tables;
-  const TomlNode* node = find(manifest_, name);
-  if (const auto* items = node ? std::get_if<TomlArray>(&node->value) : nullptr)
-    for (const TomlNode& item : *items)
-      if (const auto* table = std::get_if<TomlTable>(&item.value)) tables.push_back(*table);
+  for (const TomlTable* table : tables_at(manifest_, name)) tables.push_back(*table);
   return tables;
 }
 
 std::string RunRecord::written(std::string_view table, std::string_view key) const {
-  const TomlTable* found = table.empty() ? &case_text_ : table_in(case_text_, table);
-  return found ? text_at(*found, key).value_or("") : "";
+  return text_at(table.empty() ? case_text_ : table_at(case_text_, table), key).value_or("");
 }
 
 const NumberTable* RunRecord::series(const std::string& name) {

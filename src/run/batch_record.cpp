@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <string_view>
-#include <variant>
 
 #include "base/error.hpp"
 #include "base/version.hpp"
@@ -17,35 +16,12 @@ namespace {
 
 constexpr std::size_t max_manifest = 1'000'000;  // bytes
 
-/// One table of a manifest; without it everything in it is missing.
-class ManifestTable {
- public:
-  ManifestTable(const TomlTable& manifest, std::string_view name) {
-    if (const TomlNode* node = find(manifest, name)) table_ = std::get_if<TomlTable>(&node->value);
-  }
-
-  double number(std::string_view key) const {
-    return table_ ? number_at(*table_, key).value_or(0) : 0;
-  }
-  bool says(std::string_view key, const std::string& text) const {
-    return table_ && text_at(*table_, key) == text;
-  }
-  bool is_true(std::string_view key) const {
-    const TomlNode* found = table_ ? find(*table_, key) : nullptr;
-    const bool* value = found ? std::get_if<bool>(&found->value) : nullptr;
-    return value && *value;
-  }
-  std::vector<std::pair<std::string, double>> numbers() const {
-    std::vector<std::pair<std::string, double>> list;
-    if (!table_) return list;
-    for (const TomlEntry& entry : *table_)
-      if (const auto number = number_at(*table_, entry.key)) list.emplace_back(entry.key, *number);
-    return list;
-  }
-
- private:
-  const TomlTable* table_ = nullptr;
-};
+std::vector<std::pair<std::string, double>> numbers_of(const TomlTable& table) {
+  std::vector<std::pair<std::string, double>> list;
+  for (const TomlEntry& entry : table)
+    if (const auto number = number_at(table, entry.key)) list.emplace_back(entry.key, *number);
+  return list;
+}
 
 bool is_case_of(const std::filesystem::path& folder, const Case& c) {
   Faults faults;
@@ -76,19 +52,23 @@ std::optional<BatchRecord> finished_record(const std::filesystem::path& folder, 
   Faults faults;
   const auto manifest = parse_toml(*text, "manifest.toml", faults);
   if (!manifest) return std::nullopt;
-  const ManifestTable run(*manifest, "run");
-  if (!run.says("end", "finished") || !run.says("version", build_version)) return std::nullopt;
+  const TomlTable& run = table_at(*manifest, "run");
+  if (text_at(run, "end") != "finished" || text_at(run, "version") != build_version)
+    return std::nullopt;
   if (!text->ends_with(input_checksums(c)) || !is_case_of(folder, c)) return std::nullopt;
 
+  const auto number = [&](std::string_view table, std::string_view key) {
+    return number_at(table_at(*manifest, table), key).value_or(0);
+  };
   BatchRecord record;
   record.spacing = c.numerics.spacing;
-  record.simulated = run.number("simulated_s");
-  record.wall = run.number("wall_s");
-  record.particles = run.number("particles");
-  record.median_layers = ManifestTable(*manifest, "resolution").number("median_layers");
-  record.at_rest = ManifestTable(*manifest, "motion").is_true("at_rest");
-  record.energy_imbalance = ManifestTable(*manifest, "energy").number("imbalance");
-  record.quantities = ManifestTable(*manifest, "quantities").numbers();
+  record.simulated = number("run", "simulated_s");
+  record.wall = number("run", "wall_s");
+  record.particles = number("run", "particles");
+  record.median_layers = number("resolution", "median_layers");
+  record.at_rest = is_true_at(table_at(*manifest, "motion"), "at_rest");
+  record.energy_imbalance = number("energy", "imbalance");
+  record.quantities = numbers_of(table_at(*manifest, "quantities"));
   return record;
 }
 

@@ -6,11 +6,10 @@
 #include <fmt/format.h>
 
 #include "io/case_file/read_case.hpp"
-#include "io/case_file/toml_tree.hpp"
 #include "io/output/checksum.hpp"
-#include "io/output/read_file.hpp"
 #include "run/case_difference.hpp"
 #include "run/input_files.hpp"
+#include "run/read_manifest.hpp"
 
 namespace sabo {
 namespace {
@@ -27,12 +26,11 @@ constexpr std::array free_keys{"title",
 
 /// How the run ended by its manifest; "" if that cannot be read.
 std::string end_of(const fs::path& run_folder) {
-  Faults ignored;
-  const auto text = read_file(run_folder / "manifest.toml", 1'000'000);
-  const auto manifest = text ? parse_toml(*text, "manifest.toml", ignored) : std::nullopt;
-  const TomlNode* run = manifest ? find(*manifest, "run") : nullptr;
-  const auto* table = run ? std::get_if<TomlTable>(&run->value) : nullptr;
-  return table ? text_at(*table, "end").value_or("") : "";
+  try {
+    return text_at(table_at(read_manifest(run_folder), "run"), "end").value_or("");
+  } catch (const CaseError&) {
+    return "";
+  }
 }
 
 void check_same_case(const Case& c, const FoundCheckpoint& checkpoint) {

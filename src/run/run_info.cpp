@@ -9,16 +9,12 @@
 
 #include <fmt/format.h>
 
-#include "base/error.hpp"
-#include "io/case_file/toml_tree.hpp"
-#include "io/output/read_file.hpp"
+#include "run/read_manifest.hpp"
 
 namespace sabo {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t max_manifest = 1'000'000;  // bytes
 
 /// Units of the manifest's keys.
 const std::map<std::string_view, std::string_view> units{{"wall_s", "s"},
@@ -104,21 +100,6 @@ std::string passes_text(const TomlArray& passes) {
   return text;
 }
 
-std::string manifest_text(const TomlTable& manifest) {
-  std::string text;
-  for (const auto& [key, node] : manifest) {
-    if (const auto* table = std::get_if<TomlTable>(&node.value)) text += table_text(key, *table);
-    if (const auto* list = std::get_if<TomlArray>(&node.value)) {
-      if (key == "passes") text += passes_text(*list);
-      for (const TomlNode& item : *list) {
-        const auto* table = std::get_if<TomlTable>(&item.value);
-        if (table && key != "passes") text += table_text(key, *table);
-      }
-    }
-  }
-  return text;
-}
-
 struct FileTotal {
   std::size_t files = 0;
   std::uintmax_t bytes = 0;
@@ -169,21 +150,23 @@ std::string files_text(const fs::path& folder) {
 
 }  // namespace
 
+std::string manifest_text(const TomlTable& manifest) {
+  std::string text;
+  for (const auto& [key, node] : manifest) {
+    if (const auto* table = std::get_if<TomlTable>(&node.value)) text += table_text(key, *table);
+    if (const auto* list = std::get_if<TomlArray>(&node.value)) {
+      if (key == "passes") text += passes_text(*list);
+      for (const TomlNode& item : *list) {
+        const auto* table = std::get_if<TomlTable>(&item.value);
+        if (table && key != "passes") text += table_text(key, *table);
+      }
+    }
+  }
+  return text;
+}
+
 std::string run_info_text(const fs::path& folder) {
-  const auto manifest_file = folder / "manifest.toml";
-  const auto content = read_file(manifest_file, max_manifest);
-  if (!content) {
-    throw CaseError(folder.string(), "is not the folder of a run: it has no readable manifest.toml",
-                    "give a folder that `sabo run` has written");
-  }
-  Faults faults;
-  const auto manifest = parse_toml(*content, manifest_file.string(), faults);
-  faults.throw_if_any();
-  if (!find(*manifest, "run")) {
-    throw CaseError(manifest_file.string(), "has no table [run]",
-                    "give a folder that `sabo run` has written");
-  }
-  return folder.string() + "\n" + manifest_text(*manifest) + files_text(folder);
+  return folder.string() + "\n" + manifest_text(read_manifest(folder)) + files_text(folder);
 }
 
 }  // namespace sabo

@@ -108,7 +108,8 @@ double GroundColumns::layer_height(double x, double y, int layer) const {
 /// Puts particles on a piece of a layer; halves it until one can stand for it.
 void GroundColumns::fill(const Piece& piece, int layer, int halvings,
                          std::vector<GroundPoint>& into) const {
-  const auto& [x, y, width, length] = piece;
+  // Copies: clang 14 has no structured bindings in lambdas.
+  const double x = piece.x, y = piece.y, width = piece.width, length = piece.length;
   const double z = layer_height(x, y, layer);
   const auto climb = [&](double dx, double dy) {
     return std::abs(layer_height(x + dx, y + dy, layer) - z) +

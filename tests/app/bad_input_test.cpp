@@ -361,6 +361,223 @@ TEST_F(BadInput, RunFolders) {
   });
 }
 
+TEST_F(BadInput, CoordinateSystems) {
+  const std::string to_utm =
+      "sed -i 's/^assume_metres.*/crs = \"EPSG:32654\"/; "
+      "s/^polygon = ..10.*/polygon = \"r.geojson\"/' case.toml; ";
+  const auto polygon = [&](const char* system, const char* points) {
+    return to_utm + "echo '{\"type\":\"FeatureCollection\"," + system +
+           "\"features\":[{\"type\":\"Feature\",\"properties\":{},\"geometry\":{\"type\":"
+           "\"Polygon\",\"coordinates\":[" +
+           points + "]}}]}' >r.geojson";
+  };
+  const std::string elsewhere = polygon("", "[[9,47],[9.001,47],[9.001,47.001],[9,47]]"),
+                    swapped = polygon("", "[[36,141],[36,141.1],[36.1,141.1],[36,141]]"),
+                    other_zone =
+                        polygon("\"crs\":{\"type\":\"name\",\"properties\":{\"name\":"
+                                "\"urn:ogc:def:crs:EPSG::32633\"}},",
+                                "[[10,10],[16,10],[16,16],[10,10]]"),
+                    beyond_the_pole = polygon("", "[[9,147],[9.001,147],[9.001,148],[9,147]]"),
+                    crossed = polygon("\"crs\":{\"type\":\"name\",\"properties\":{\"name\":"
+                                      "\"urn:ogc:def:crs:EPSG::32654\"}},",
+                                      "[[10,10],[16,16],[16,10],[10,16],[10,10]]"),
+                    hole_outside = polygon("\"crs\":{\"type\":\"name\",\"properties\":{\"name\":"
+                                           "\"urn:ogc:def:crs:EPSG::32654\"}},",
+                                           "[[10,10],[16,10],[16,16],[10,10]],"
+                                           "[[20,20],[26,20],[26,26],[20,20]]");
+  expect_refused({
+      {"a release in degrees on another continent", elsewhere.c_str(), "release"},
+      {"a release with latitude and longitude exchanged", swapped.c_str(), "release|r.geojson"},
+      {"a release in another zone", other_zone.c_str(), "release"},
+      {"a release beyond the pole", beyond_the_pole.c_str(), "release|r.geojson"},
+      {"a release that crosses itself", crossed.c_str(), "release|r.geojson"},
+      {"a hole outside of its ring", hole_outside.c_str(), "release|r.geojson"},
+      {"a system of words", "sed -i 's/^assume_metres.*/crs = \"metres\"/' case.toml", "crs"},
+      {"a system of nothing but its authority", "sed -i 's/^assume.*/crs = \"EPSG:\"/' case.toml",
+       "crs"},
+      {"a system of heights", "sed -i 's/^assume.*/crs = \"EPSG:5703\"/' case.toml", "crs"},
+      {"a system in feet", "sed -i 's/^assume.*/crs = \"EPSG:2225\"/' case.toml", "crs"},
+      {"a system centred on the Earth", "sed -i 's/^assume.*/crs = \"EPSG:4978\"/' case.toml",
+       "crs"},
+      {"a system beside a claim of metres", "sed -i '/^assume/a crs = \"EPSG:4326\"' case.toml",
+       "crs"},
+  });
+}
+
+TEST_F(BadInput, StructuresThatCannotStand) {
+  const auto add = [](const std::string& text) {
+    return "cat >>case.toml <<'END'\n" + text + "\nEND\n";
+  };
+  const auto wall = [&](const char* name, const char* line, const char* more) {
+    return add(std::string("[[structure]]\nname = \"") + name + "\"\nline = " + line + "\n" + more);
+  };
+  const std::string across = wall("second", "[[15, 18], [35, 18]]", "height = 3\nthickness = 3"),
+                    along = wall("second", "[[26, 5], [26, 30]]", "height = 3\nthickness = 3"),
+                    loop = wall("loop", "[[30, 5], [35, 5], [35, 8], [32, 2]]",
+                                "height = 3\nthickness = 1"),
+                    through_release =
+                        wall("second", "[[5, 13], [20, 13]]", "height = 3\nthickness = 3"),
+                    slit_too_wide = "sed -i '/^thickness = 3/a slit = [{centre = 12, width = 90}]' "
+                                    "case.toml",
+                    two_notches = "sed -i '/^thickness = 3/a notch = [{centre = 12, width = 3, depth "
+                                  "= 1}]' case.toml",
+                    block = add("[[structure]]\nname = \"house\"\nkind = \"building\"\npolygon = "
+                                "[[12, 12], [15, 12], [15, 15], [12, 15]]\nheight = 5"),
+                    flat_block = add("[[structure]]\nname = \"house\"\nkind = \"building\"\npolygon "
+                                     "= [[30, 32], [34, 32], [34, 36], [30, 36]]"),
+                    bow = add("[[structure]]\nname = \"house\"\nkind = \"building\"\npolygon = "
+                              "[[30, 32], [34, 36], [34, 32], [30, 36]]\nheight = 5");
+  expect_refused({
+      {"one across another", across.c_str(), "second|dam"},
+      {"one within another", along.c_str(), "second|dam"},
+      {"a wall that crosses itself", loop.c_str(), "loop"},
+      {"a wall through the release", through_release.c_str(), "second|release"},
+      {"a slit wider than its dam", slit_too_wide.c_str(), "slit"},
+      {"a notch as a list", two_notches.c_str(), "notch"},
+      {"a house in the release", block.c_str(), "house|release"},
+      {"a house without a height", flat_block.c_str(), "height"},
+      {"a house that crosses itself", bow.c_str(), "house|polygon"},
+      {"a dam of a million points",
+       "python3 -c \"print('[[structure]]\\nname = \\\"long\\\"\\nheight = 1\\nthickness = 1\\nline "
+       "= [' + '[1, 1], ' * 50000 + ']')\" >>case.toml",
+       "line|long|longer"},
+  });
+}
+
+TEST_F(BadInput, Bodies) {
+  const auto body = [](const std::string& mesh, const char* more = "") {
+    return "cat >b.obj <<'END'\n" + mesh + "END\ncat >>case.toml <<'END'\n[[body]]\nname = " +
+           "\"b\"\nkind = \"mesh\"\nfile = \"b.obj\"\n" + more + "\nEND\n";
+  };
+  const auto box = [](const char* keys) {
+    return std::string("cat >>case.toml <<'END'\n[[body]]\nname = \"b\"\n") + keys + "\nEND\n";
+  };
+  const std::string tetrahedron =
+      "v 30 30 100\nv 34 30 100\nv 30 34 100\nv 30 30 104\n"
+      "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n";
+  const std::string open = body("v 30 30 100\nv 34 30 100\nv 30 34 100\nv 30 30 104\n"
+                                "f 1 3 2\nf 1 2 4\nf 2 3 4\n"),
+                    no_faces = body("v 0 0 0\nv 1 0 0\nv 0 1 0\n"),
+                    flat = body("v 30 30 100\nv 34 30 100\nv 30 34 100\nf 1 2 3\nf 1 3 2\n"),
+                    point = body("v 30 30 100\nf 1 1 1\n"), zero = body(tetrahedron, "scale = 0"),
+                    endless = body(tetrahedron, "scale = 1e300"),
+                    away = body(tetrahedron, "at = [1e6, 0, 0]"),
+                    below = body("v 30 30 100\nv 31 30 100\nv 30 31 100\nf 1 2 -9\n"),
+                    words = body("v a b c\nf 1 2 3\n"), empty = body(""),
+                    in_release = body("v 11 11 99\nv 15 11 99\nv 11 15 99\nv 11 11 104\n"
+                                      "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 1 4 3\n"),
+                    flipped = box("kind = \"box\"\nmin = [35, 35, 105]\nmax = [30, 30, 100]"),
+                    no_size = box("kind = \"box\"\nmin = [30, 30, 100]\nmax = [30, 35, 105]"),
+                    no_corner = box("kind = \"box\"\nmin = [30, 30, 100]"),
+                    two_numbers = box("kind = \"box\"\nmin = [30, 30]\nmax = [35, 35]"),
+                    shape = box("kind = \"sphere\"\nmin = [30, 30, 100]\nmax = [35, 35, 105]");
+  expect_refused({
+      {"an open mesh", open.c_str(), "b.obj|body"},
+      {"a mesh without faces", no_faces.c_str(), "b.obj"},
+      {"a mesh without a volume", flat.c_str(), "b.obj|body"},
+      {"a mesh of a point", point.c_str(), "b.obj|body"},
+      {"a mesh shrunk to nothing", zero.c_str(), "scale"},
+      {"a mesh blown up", endless.c_str(), "scale"},
+      {"a mesh beside the DEM", away.c_str(), "body|b"},
+      {"a corner counted from the end beyond the first", below.c_str(), "b.obj"},
+      {"corners of words", words.c_str(), "b.obj"},
+      {"an empty mesh", empty.c_str(), "b.obj"},
+      {"a mesh in the release", in_release.c_str(), "release|b"},
+      {"a box turned round", flipped.c_str(), "min|max"},
+      {"a box of no width", no_size.c_str(), "min|max"},
+      {"a box of one corner", no_corner.c_str(), "max"},
+      {"a box in plan", two_numbers.c_str(), "min|max"},
+      {"an unknown shape", shape.c_str(), "kind"},
+  });
+}
+
+TEST_F(BadInput, Inflows) {
+  const auto inflow = [](const std::string& table, const char* line = "[[5, 10], [5, 20]]") {
+    return "printf '" + table + "' >h.csv; cat >>case.toml <<'END'\n[[inflow]]\nname = \"i\"\n" +
+           "line = " + line + "\nflows = \"right\"\nhydrograph = \"h.csv\"\nEND\n";
+  };
+  const std::string rows = "time,discharge\\n0,0\\n10,5\\n20,0\\n";
+  const std::string empty = inflow(""), header = inflow("time,discharge\\n"),
+                    words = inflow("time,discharge\\na,b\\n"),
+                    back = inflow("time,discharge\\n0,1\\n10,5\\n5,0\\n"),
+                    below = inflow("time,discharge\\n0,0\\n10,-5\\n20,0\\n"),
+                    nothing = inflow("time,discharge\\n0,0\\n10,0\\n"),
+                    nan = inflow("time,discharge\\n0,0\\n10,nan\\n"),
+                    no_column = inflow("time,flow\\n0,0\\n10,4\\n"),
+                    ragged = inflow("time,discharge\\n0,0\\n10\\n"),
+                    flood = inflow("time,discharge\\n0,0\\n10,1e12\\n20,0\\n"),
+                    beside = inflow(rows, "[[95, 10], [95, 20]]"),
+                    point = inflow(rows, "[[5, 10]]"), gone = inflow(rows) + "rm h.csv",
+                    in_dam = inflow(rows, "[[25, 10], [25, 20]]");
+  expect_refused({
+      {"an empty hydrograph", empty.c_str(), "h.csv|hydrograph"},
+      {"a hydrograph of its header", header.c_str(), "h.csv|hydrograph"},
+      {"a hydrograph of words", words.c_str(), "h.csv"},
+      {"times that go back", back.c_str(), "h.csv"},
+      {"a discharge below zero", below.c_str(), "h.csv"},
+      {"a hydrograph of nothing", nothing.c_str(), "h.csv|hydrograph"},
+      {"a discharge that is none", nan.c_str(), "h.csv"},
+      {"a hydrograph without discharge", no_column.c_str(), "discharge"},
+      {"a row cut short", ragged.c_str(), "h.csv"},
+      {"a discharge beyond all rivers", flood.c_str(), "h.csv|inflow"},
+      {"an inflow beside the DEM", beside.c_str(), "inflow|i"},
+      {"an inflow through a point", point.c_str(), "line"},
+      {"a hydrograph that is gone", gone.c_str(), "h.csv"},
+      {"an inflow within a dam", in_dam.c_str(), "inflow|dam"},
+  });
+}
+
+TEST_F(BadInput, Checkpoints) {
+  const Outcome run = in("good", "OMP_NUM_THREADS=1 sabo run . -o run --overwrite");
+  ASSERT_EQ(run.code, 0) << run.text;
+  const char* const resume = "sabo run run --resume --duration 0.2";
+  const char* const lost = "is lost|no checkpoint";
+  expect_refused({
+      {"none", "rm -r run/checkpoint", lost, resume},
+      {"an empty one", "for f in run/checkpoint/*.sabo; do : >$f; done", lost, resume},
+      {"cut off in its head", "truncate -s 10 run/checkpoint/*.sabo", lost, resume},
+      {"cut off behind its head", "truncate -s 21 run/checkpoint/*.sabo", lost, resume},
+      {"cut off in the middle", "truncate -s 2000 run/checkpoint/*.sabo", lost, resume},
+      {"longer than it was", "for f in run/checkpoint/*.sabo; do echo x >>$f; done", lost, resume},
+      {"of random bytes", "for f in run/checkpoint/*.sabo; do head -c 9000 /dev/urandom >$f; done",
+       lost, resume},
+      {"of zeros", "for f in run/checkpoint/*.sabo; do head -c 9000 /dev/zero >$f; done", lost,
+       resume},
+      {"of text", "for f in run/checkpoint/*.sabo; do echo checkpoint >$f; done", lost, resume},
+      {"of another format",
+       "for f in run/checkpoint/*.sabo; do printf '\\377' | dd of=$f bs=1 seek=16 conv=notrunc; "
+       "done",
+       lost, resume},
+      {"a folder", "for f in run/checkpoint/*.sabo; do rm $f; mkdir $f; done", lost, resume},
+      {"a link to itself", "for f in run/checkpoint/*.sabo; do rm $f; ln -s $f $f; done", lost,
+       resume},
+      {"a pipe without a writer", "for f in run/checkpoint/*.sabo; do rm $f; mkfifo $f; done", lost,
+       resume},
+      {"a device without an end",
+       "for f in run/checkpoint/*.sabo; do ln -sf /dev/zero $f; done", lost, resume},
+      {"larger than memory", "truncate -s 100G run/checkpoint/*.sabo", lost, resume},
+      {"of another spacing", ":", "numerics.spacing", "sabo run run --resume --spacing 2"},
+      {"of another material", "sed -i 's/1800/1900/' run/case.toml", "density", resume},
+      {"of another DEM", "sed -i 's/^100 100/101 100/' dem.asc", "dem.asc", resume},
+      {"of a DEM that is gone", "rm dem.asc", "dem.asc", resume},
+      {"of another structure", "sed -i 's/height = 4/height = 5/' run/case.toml", "height", resume},
+      {"of a run that has finished", ":", "has finished", "sabo run run --resume"},
+      {"of a case that is gone", "rm run/case.toml", "case", resume},
+      {"to be overwritten as well", ":", "overwrite|resume",
+       "sabo run run --resume --overwrite"},
+      {"to branch from, in no run", ":", "nowhere",
+       "sabo run . -o out --branch-at 0.1 --from nowhere"},
+      {"to branch from, before the first", ":", "no checkpoint",
+       "sabo run . -o out --branch-at 0.001 --from run"},
+      {"to branch from, at no time", ":", "branch", "sabo run . -o out --branch-at nan --from run"},
+      {"to branch from, without a run", ":", "from", "sabo run . -o out --branch-at 0.1"},
+      {"to branch from, without a time", ":", "branch", "sabo run . -o out --from run"},
+      {"to branch from, with another spacing", ":", "spacing",
+       "sabo run . -o out --branch-at 0.1 --from run --spacing 2"},
+      {"to branch from into itself", ":", "run", "sabo run . -o run --branch-at 0.1 --from run"},
+  });
+}
+
 // What looks odd and is not wrong.
 TEST_F(BadInput, OddNamesAreRead) {
   for (const char* name : {"土石流 2010", "a 'b' \"c\"", "$(touch x)", "-o", "ünï—code", "a;b&c"}) {

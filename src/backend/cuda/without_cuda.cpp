@@ -7,7 +7,7 @@ namespace sabo {
 
 std::string graphics_card_fault() {
   return "this program was built without CUDA; it needs the CUDA toolkit 12 or later when it is "
-         "built (docs/speed.md)";
+         "built (docs/performance.md)";
 }
 
 GraphicsCard graphics_card() { throw RunError(graphics_card_fault()); }

@@ -143,6 +143,29 @@ std::optional<std::string> text_at(const TomlTable& table, std::string_view key)
   return text ? std::optional(*text) : std::nullopt;
 }
 
+bool is_true_at(const TomlTable& table, std::string_view key) {
+  const TomlNode* node = find(table, key);
+  const bool* value = node ? std::get_if<bool>(&node->value) : nullptr;
+  return value && *value;
+}
+
+const TomlTable& table_at(const TomlTable& table, std::string_view key) {
+  static const TomlTable nothing;
+  const TomlNode* node = find(table, key);
+  const auto* found = node ? std::get_if<TomlTable>(&node->value) : nullptr;
+  return found ? *found : nothing;
+}
+
+std::vector<const TomlTable*> tables_at(const TomlTable& table, std::string_view key) {
+  std::vector<const TomlTable*> tables;
+  const TomlNode* node = find(table, key);
+  const auto* items = node ? std::get_if<TomlArray>(&node->value) : nullptr;
+  if (!items) return tables;
+  for (const TomlNode& item : *items)
+    if (const auto* found = std::get_if<TomlTable>(&item.value)) tables.push_back(found);
+  return tables;
+}
+
 std::optional<TomlTable> parse_toml(std::string_view text, const std::string& file_name,
                                     Faults& faults) {
   if (const auto unfit = find_unfit_text(text)) {

@@ -34,6 +34,10 @@ const TomlNode* find(const TomlTable& table, std::string_view key);
 /// The value of a key if it is there and of that type. A number may be a whole one.
 std::optional<double> number_at(const TomlTable& table, std::string_view key);
 std::optional<std::string> text_at(const TomlTable& table, std::string_view key);
+bool is_true_at(const TomlTable& table, std::string_view key);
+/// Empty when there is none.
+const TomlTable& table_at(const TomlTable& table, std::string_view key);
+std::vector<const TomlTable*> tables_at(const TomlTable& table, std::string_view key);
 
 /// Parses a TOML text. Adds a fault (with the place "file_name:line") and returns nothing when the
 /// text is longer than 1 MB, is not valid UTF-8, has control characters or is not TOML.
