@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -72,6 +73,8 @@ int run(const RunCommandOptions& options) {
   run_options.folder = folder_of(options);
   if (options.overwrite) run_options.former = FormerRun::replaced;
   if (options.resume) run_options.former = FormerRun::resumed;
+  if (options.branch_at && !(*options.branch_at >= 0 && std::isfinite(*options.branch_at)))
+    throw CaseError("--branch-at", "is not a time", "give seconds since the start of that run");
   if (options.branch_at) run_options.branch = {options.branch_from, *options.branch_at};
   run_options.stop = &stop;
   ProgressDisplay display(std::ranges::any_of(c.structures, [](const StructureCase& structure) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,6 +54,10 @@ class Backend {
   /// May be a copy, which holds what it held when it was asked for: ask again after a sweep.
   virtual Particles& fluid() = 0;
   virtual Particles& boundary() = 0;
+
+  /// Lets a function change place and velocity of the driven particles, all of which are among
+  /// those that it is given; neighbours need not be found anew.
+  virtual void change_driven(const std::function<void(Particles&)>& change) = 0;
 
   /// Numbers of particles, without a copy.
   virtual std::size_t fluid_count() const = 0;

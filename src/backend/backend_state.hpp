@@ -9,9 +9,9 @@
 
 namespace sabo {
 
-/// What of a backend outlives a step, in the memory of the host. Pairs are not kept but listed again
-/// from where the particles were when they were listed: the same list in the same order, hence the
-/// same sums.
+/// What of a backend outlives a step, in the memory of the host. Pairs are not kept but listed
+/// again from where the particles were when they were listed: the same list in the same order,
+/// hence the same sums.
 struct BackendState {
   double& sound_speed;
   Particles& fluid;

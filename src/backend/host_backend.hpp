@@ -18,6 +18,7 @@ class HostBackend : public Backend {
 
   Particles& fluid() override { return fluid_; }
   Particles& boundary() override { return boundary_; }
+  void change_driven(const std::function<void(Particles&)>& change) override { change(fluid_); }
   std::size_t fluid_count() const override { return fluid_.size(); }
   std::size_t boundary_count() const override { return boundary_.size(); }
 

@@ -120,8 +120,7 @@ class VelocityStep {
   /// Driven particles keep their velocity; particles in neither list are at rest.
   template <class Multiply>
   ViscousSolve advance(const Executor& on, const FlowView& flow, RowList rows, RowList driven,
-                       double dt, double tolerance, int most_iterations,
-                       const Multiply& multiply) {
+                       double dt, double tolerance, int most_iterations, const Multiply& multiply) {
     const VelocityView<T> view{flow,
                                solver.view(rows, mass_.data()),
                                conductance_sum.data(),

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "backend/cuda/graphics_card.hpp"
+#include "base/error.hpp"
 #include "bench/pair_flops.hpp"
 #include "bench/parts.hpp"
 #include "bench/step_clock.hpp"
@@ -102,10 +103,14 @@ BenchResult bench_card(const BenchSettings& settings) {
   steps.header = {"method",           "fluid + boundary", "ms/step",
                   "ns/particle-step", "steps for a list", "bytes/particle"};
   for (const Method method : settings.methods)
-    for (const double wanted : sizes(settings))
-      if (!measure(method, wanted, limits, passes, steps, result, settings.repeats()))
-        steps.notes.push_back(fmt::format("{:g} million particles do not fit into {:.0f} GB.",
-                                          1e-6 * wanted, 1e-9 * limits.card.free_memory));
+    for (const double wanted : sizes(settings)) try {
+        if (!measure(method, wanted, limits, passes, steps, result, settings.repeats()))
+          steps.notes.push_back(fmt::format("{:g} million particles do not fit into {:.0f} GB.",
+                                            1e-6 * wanted, 1e-9 * limits.card.free_memory));
+      } catch (const RunError& error) {  // what has been measured is worth having
+        steps.notes.push_back(
+            fmt::format("{:g} million particles: {}", 1e-6 * wanted, error.what()));
+      }
   result.tables = {passes, steps};
   return result;
 }

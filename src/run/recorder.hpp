@@ -102,8 +102,8 @@ class Recorder {
     a(front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_, solver_csv_);
   }
 
-  /// After archive(): paths of particles start where they are unless there has been a step since the
-  /// last look at them. Throws RunError for particles that were never released.
+  /// After archive(): paths of particles start where they are unless there has been a step since
+  /// the last look at them. Throws RunError for particles that were never released.
   void follow(const Particles& fluid);
 
  private:

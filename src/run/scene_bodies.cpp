@@ -118,12 +118,26 @@ Body body_of(const BodyCase& c, const std::string& key, const Case& all, const F
           c.flow == BodyFlow::inside ? FlowSide::inside : FlowSide::outside, reach};
 }
 
+/// Nothing flows where there is no ground.
+void refuse_beside(const Body& body, const std::string& key, const Surface& surface) {
+  const Grid& grid = surface.elevation().grid;
+  const Bounds bounds = body.bounds();
+  if (bounds.high.x > grid.west && bounds.low.x < grid.east() && bounds.high.y > grid.south() &&
+      bounds.low.y < grid.north)
+    return;
+  throw CaseError(key, fmt::format("\"{}\" lies beside the DEM", body.name()),
+                  "check its coordinates, at and scale, or take a larger DEM");
+}
+
 }  // namespace
 
 void read_bodies(const Case& c, Scene& scene, Faults& faults) {
   for (std::size_t k = 0; k < c.bodies.size(); ++k) {
     const std::string key = fmt::format("body[{}]", k + 1);
-    collected(faults, [&] { scene.bodies.push_back(body_of(c.bodies[k], key, c, scene.frame)); });
+    collected(faults, [&] {
+      scene.bodies.push_back(body_of(c.bodies[k], key, c, scene.frame));
+      refuse_beside(scene.bodies.back(), key, *scene.surface);
+    });
   }
   const double reach = scene.buildings.empty() ? 0 : reach_of(c);
   for (const Building& building : scene.buildings) {

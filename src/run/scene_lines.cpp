@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "io/gis/read_vectors.hpp"
+#include "terrain/prism_mesh.hpp"
 
 namespace sabo {
 namespace {
@@ -46,6 +47,9 @@ Polyline read_line(const LineSource& source, const std::string& key, const Scene
     line = std::move(lines.front());
   }
   for (Vec3d& vertex : line.vertices) vertex = moved(frame, vertex);
+  if (meets_itself(line))
+    throw CaseError(key, "the line meets itself, so that places along it have no order",
+                    "draw it without loops, or as two lines");
   if (!touches(*scene.surface, line))
     throw CaseError(key, "the line lies beside the DEM",
                     "check its coordinates and their system, or take a larger DEM");

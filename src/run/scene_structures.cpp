@@ -18,6 +18,7 @@ namespace sabo {
 namespace {
 
 constexpr double largest_overlap = 0.01;  // of the smaller of two buildings: rounding of outlines
+constexpr double largest_joint = 0.5;     // of the smaller of two dams: walls may meet and cross
 constexpr double most_profile_pieces = 1e5;
 
 /// Of a dam whose height counts from the lowest ground along its line, m.
@@ -169,16 +170,17 @@ Bounds plan_bounds(const Polygon& outline) {
   return bounds;
 }
 
+bool meet(const Bounds& a, const Bounds& b) {
+  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
+}
+
 /// Buildings may share walls, but not ground.
 void check_overlaps(const std::vector<Building>& buildings, Faults& faults) {
   std::vector<Bounds> bounds;
   for (const Building& building : buildings) bounds.push_back(plan_bounds(building.outline));
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      const bool may_overlap =
-          bounds[i].low.x < bounds[j].high.x && bounds[j].low.x < bounds[i].high.x &&
-          bounds[i].low.y < bounds[j].high.y && bounds[j].low.y < bounds[i].high.y;
-      if (!may_overlap) continue;
+      if (!meet(bounds[i], bounds[j])) continue;
       const Polygon &a = buildings[i].outline, &b = buildings[j].outline;
       const double shared = shared_area(a, b);
       if (shared <= largest_overlap * std::min(area(a), area(b))) continue;
@@ -186,6 +188,51 @@ void check_overlaps(const std::vector<Building>& buildings, Faults& faults) {
                  fmt::format("\"{}\" and \"{}\" overlap by {:.3g} m2", buildings[j].name,
                              buildings[i].name, shared),
                  "join their polygons, or move one");
+    }
+  }
+}
+
+/// A dam in plan: a rectangle for each piece of its line.
+struct Plan {
+  std::vector<Polygon> pieces;
+  std::vector<Bounds> bounds;
+  double area = 0;  // m2
+};
+
+Plan plan_of(const CheckDam& dam) {
+  Plan plan;
+  for (std::size_t k = 0; k + 1 < dam.axis.vertices.size(); ++k) {
+    const Vec3d &a = dam.axis.vertices[k], &b = dam.axis.vertices[k + 1];
+    const double span = std::hypot(b.x - a.x, b.y - a.y);
+    if (!(span > 0)) continue;
+    const Vec3d aside = dam.thickness / (2 * span) * Vec3d{a.y - b.y, b.x - a.x, 0};
+    plan.pieces.push_back({{{a + aside, a - aside, b - aside, b + aside}}});
+    plan.bounds.push_back(plan_bounds(plan.pieces.back()));
+    plan.area += span * dam.thickness;
+  }
+  return plan;
+}
+
+double shared_area(const Plan& a, const Plan& b) {
+  double shared = 0;
+  for (std::size_t i = 0; i < a.pieces.size(); ++i)
+    for (std::size_t j = 0; j < b.pieces.size(); ++j)
+      if (meet(a.bounds[i], b.bounds[j])) shared += shared_area(a.pieces[i], b.pieces[j]);
+  return shared;
+}
+
+/// Where two stand in one place, forces and volumes are those of the first: no more than a joint.
+void check_overlaps(const std::vector<CheckDam>& dams, Faults& faults) {
+  std::vector<Plan> plans;
+  for (const CheckDam& dam : dams) plans.push_back(plan_of(dam));
+  for (std::size_t i = 0; i < dams.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double shared = shared_area(plans[i], plans[j]);
+      if (shared <= largest_joint * std::min(plans[i].area, plans[j].area)) continue;
+      faults.add("structure",
+                 fmt::format("\"{}\" and \"{}\" stand in one place: {:.3g} m2 in common",
+                             dams[j].name, dams[i].name, shared),
+                 "move one, or leave it out; walls may meet, and cross each other");
     }
   }
 }
@@ -207,6 +254,7 @@ void read_structures(const Case& c, Scene& scene, Faults& faults) {
     }
   }
   check_overlaps(scene.buildings, faults);
+  check_overlaps(scene.dams, faults);
 }
 
 std::vector<ClearWidth> clear_widths(const StructureCase& dam) {

@@ -261,8 +261,10 @@ class Simulation {
     facts_.basins = recorder_.basins();
     facts_.boundary_particles = flow_.backend().boundary_count();
     facts_.resolution = resolution_guard(maps.peak_depth, flow_.model().spacing);
-    for (const double mass : flow_.backend().fluid().mass)
-      facts_.particle_volume += mass / flow_.model().state.rho0;
+    attempt([&] {
+      for (const double mass : flow_.backend().fluid().mass)
+        facts_.particle_volume += mass / flow_.model().state.rho0;
+    });
     for (const double depth : maps.deposit.values)
       if (!std::isnan(depth)) facts_.raster_volume += depth * maps.deposit.grid.cell_area();
   }

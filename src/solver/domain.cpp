@@ -20,15 +20,12 @@ Domain::Domain(Ground& ground, const std::vector<InflowPlan>& inflows, std::uint
     inflows_.emplace_back(plan, static_cast<std::uint16_t>(inflows_.size() + 1));
 }
 
-bool Domain::advance_inflows(Particles& fluid, const Tait& state, double time, double dt) {
-  bool changes = false;
+void Domain::advance_inflows(Particles& fluid, const Tait& state, double time, double dt) {
   for (Inflow& inflow : inflows_) {
     const Inflow::Change change = inflow.advance(fluid, state, time, dt, next_id_);
     entered_.append(fluid, change.entered);
     freed_.append(fluid, change.freed);
-    changes = changes || !change.entered.empty() || !change.freed.empty();
   }
-  return changes;
 }
 
 void Domain::update(Particles& fluid, Particles& boundary, double reach) {

@@ -25,9 +25,14 @@ class Domain {
   /// ground within `reach` (m) of the rest. Called each time the neighbour list is renewed.
   void update(Particles& fluid, Particles& boundary, double reach);
 
-  /// Lets inflows follow a step of `dt` (s) to `time` (s), see Inflow. Returns whether particles
-  /// have come or were set free: then neighbours must be renewed before the next step.
-  bool advance_inflows(Particles& fluid, const Tait& state, double time, double dt);
+  /// Whether some inflow may bring particles or set some free after a step of `dt` (s): then it
+  /// needs the whole fluid, and neighbours must be renewed before the next step.
+  bool layer_is_due(double dt) const {
+    return std::ranges::any_of(inflows_, [dt](const Inflow& i) { return i.layer_is_due(dt); });
+  }
+  /// Lets inflows follow a step of `dt` (s) to `time` (s), see Inflow. Where no layer is due driven
+  /// particles will do for the fluid.
+  void advance_inflows(Particles& fluid, const Tait& state, double time, double dt);
 
   /// Particles that left since the last call.
   Particles take_departed();

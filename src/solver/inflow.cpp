@@ -93,9 +93,10 @@ Inflow::Change Inflow::advance(Particles& fluid, const Tait& state, double time,
                                std::uint32_t& next_id) {
   const bool was_active = advance_ > 0;
   if (driven_ > 0) follow_bed(fluid, dt);
+  const bool is_due = layer_is_due(dt);
   moved_ += dt * advance_;
   Change change;
-  if (moved_ >= plan_.spacing) {
+  if (is_due) {
     moved_ = std::fmod(moved_, plan_.spacing);
     change.freed = set_free(fluid);
     const auto count = static_cast<std::size_t>(std::max(0.0, std::round(owed(time))));

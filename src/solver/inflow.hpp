@@ -63,9 +63,12 @@ class Inflow {
     std::vector<std::uint32_t> freed;    ///< rows of those that were set free
   };
 
-  /// The fluid has made a step of `dt` (s) to `time` (s): keeps driven particles on the bed, sets
-  /// those free that are through, brings a layer if it is due, with ids from `next_id` on, and sets
-  /// the velocity of the next step.
+  /// Whether the last layer will have moved on by a spacing after a step of `dt` (s).
+  bool layer_is_due(double dt) const { return moved_ + dt * advance_ >= plan_.spacing; }
+
+  /// The fluid has made a step of `dt` (s) to `time` (s): keeps driven particles on the bed, and if
+  /// a layer is due sets those free that are through and brings it, with ids from `next_id` on.
+  /// Sets the velocity of the next step.
   Change advance(Particles& fluid, const Tait& state, double time, double dt,
                  std::uint32_t& next_id);
 

@@ -15,16 +15,24 @@ StepReport Stepper::step(double longest) {
   const std::vector<BodyLoad>& loads = backend_.body_loads();
   body_impulses_.resize(loads.size());
   for (std::size_t k = 0; k < loads.size(); ++k) body_impulses_[k] += report.dt * loads[k];
-  // fluid() may cost a copy.
-  if (domain_ && !domain_->inflows().empty() &&
-      domain_->advance_inflows(backend_.fluid(), backend_.model().state, time_, report.dt))
-    particles_changed_ = true;
+  if (domain_ && !domain_->inflows().empty()) advance_inflows(report.dt);
   check_health();
   return report;
 }
 
 void Stepper::advance_to(double time, double longest) {
   while (time_ < time) step(std::min(longest, time - time_));
+}
+
+void Stepper::advance_inflows(double dt) {
+  const Tait& state = backend_.model().state;
+  if (domain_->layer_is_due(dt)) {
+    domain_->advance_inflows(backend_.fluid(), state, time_, dt);
+    particles_changed_ = true;
+  } else {
+    backend_.change_driven(
+        [&](Particles& driven) { domain_->advance_inflows(driven, state, time_, dt); });
+  }
 }
 
 void Stepper::renew_neighbours() {

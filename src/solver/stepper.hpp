@@ -72,6 +72,7 @@ class Stepper {
   double dissipated_ = 0;
 
  private:
+  void advance_inflows(double dt);
   void check_health() const;
 
   Domain* domain_;

@@ -50,6 +50,14 @@ class Geos {
                                         static_cast<unsigned>(rings.size() - 1)));
   }
 
+  Geometry line(const std::vector<Vec3d>& vertices) const {
+    const auto count = static_cast<unsigned>(vertices.size());
+    GEOSCoordSequence* points = GEOSCoordSeq_create_r(context_, count, 2);
+    for (unsigned k = 0; k < count; ++k)
+      GEOSCoordSeq_setXY_r(context_, points, k, vertices[k].x, vertices[k].y);
+    return own(GEOSGeom_createLineString_r(context_, points));
+  }
+
  private:
   GEOSGeometry* ring(const std::vector<Vec3d>& vertices) const {
     const auto count = static_cast<unsigned>(vertices.size());
@@ -150,6 +158,12 @@ std::string fault_of(const Polygon& polygon) {
   const std::string text = reason ? reason : "Not a polygon";
   GEOSFree_r(geos.context(), reason);
   return text;
+}
+
+bool meets_itself(const Polyline& line) {
+  const Geos geos;
+  const Geos::Geometry drawn = geos.line(line.vertices);
+  return drawn && GEOSisSimple_r(geos.context(), drawn.get()) == 0;
 }
 
 double shared_area(const Polygon& a, const Polygon& b) {

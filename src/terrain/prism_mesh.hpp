@@ -12,6 +12,9 @@ namespace sabo {
 /// for a sound one (the rules of OGC Simple Features, by GEOS).
 std::string fault_of(const Polygon& polygon);
 
+/// Whether a line meets itself elsewhere than where it closes.
+bool meets_itself(const Polyline& line);
+
 /// Area that two sound polygons have in common, m2; 0 where they only touch.
 double shared_area(const Polygon& a, const Polygon& b);
 

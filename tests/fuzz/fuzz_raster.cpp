@@ -3,10 +3,10 @@
 #include <cstdint>
 #include <string>
 
+#include "input_file.hpp"
 #include <gdal_priv.h>
 
 #include "base/error.hpp"
-#include "input_file.hpp"
 #include "io/gis/gdal_errors.hpp"
 #include "io/gis/read_dem.hpp"
 

@@ -9,6 +9,9 @@
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
+#include "solver/domain.hpp"
+#include "terrain/ground.hpp"
+
 namespace sabo {
 namespace {
 
@@ -109,6 +112,41 @@ TEST(InflowLayers, TakeTheFreePlacesAboveWhatHasBackedUp) {
 using Driven = test::OnBackend;
 
 INSTANTIATE_TEST_SUITE_P(On, Driven, testing::ValuesIn(test::all_backends), test::name_of_backend);
+
+/// The trough with a bed that rises and falls along it.
+Surface wavy_trough() {
+  Raster bed(Grid{21, 11, -10.5, 5.5, 1, 1}, 0.0);
+  for (int row = 0; row < 11; ++row)
+    for (int column = 0; column < 21; ++column) {
+      const bool is_bank = std::abs(bed.grid.y_of(row)) > 1;
+      bed.at(column, row) = is_bank ? 5 : 0.3 * std::sin(1.3 * bed.grid.x_of(column));
+    }
+  return Surface(bed);
+}
+
+TEST_P(Driven, ParticlesKeepTheirHeightAboveTheBed) {
+  const Surface surface = wavy_trough();
+  const std::vector<InflowPlan> plans{plan_over(surface)};
+  for (const Method method : test::both_methods) {
+    auto backend = test::make_backend(GetParam(), test::plain_model(0.5, 40, 500));
+    Ground ground(surface, {}, {0.5, backend->model().wall_layers(), 1000});
+    Domain domain(ground, plans, 0);
+    auto stepper = test::stepper_of(method, *backend, &domain);
+    stepper->advance_to(0.8, 5e-3);
+    const Particles& fluid = backend->fluid();
+    std::size_t driven = 0;
+    for (std::size_t i = 0; i < fluid.size(); ++i) {
+      if (fluid.driven[i] == 0) continue;
+      ++driven;
+      // They came 1/4 m, 3/4 m, ... above it.
+      const double height = fluid.position[i].z - plans[0].section.bed(fluid.position[i]);
+      EXPECT_NEAR(std::remainder(height - 0.25, 0.5), 0, 1e-9) << word_of(method);
+      EXPECT_NEAR(fluid.velocity[i].z / fluid.velocity[i].x,
+                  plans[0].section.rise_at(fluid.position[i]), 1e-12);
+    }
+    EXPECT_GT(driven, 8u);
+  }
+}
 
 /// A cube whose half is driven sideways; the other half is at rest.
 std::unique_ptr<Backend> half_driven_cube(test::On on) {

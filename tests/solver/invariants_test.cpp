@@ -53,8 +53,9 @@ double largest_of(const ByParticle& values) {
 
 /// Greatest difference between changes over the greatest change; `turn` brings the first into the
 /// frame of the second.
-double apart(const ByParticle& a, const ByParticle& b,
-             const std::function<Vec3d(const Vec3d&)>& turn = [](const Vec3d& v) { return v; }) {
+double apart(
+    const ByParticle& a, const ByParticle& b,
+    const std::function<Vec3d(const Vec3d&)>& turn = [](const Vec3d& v) { return v; }) {
   EXPECT_EQ(a.size(), b.size());
   double most = 0;
   for (const auto& [id, value] : a) most = std::max(most, norm(turn(value) - b.at(id)));
@@ -83,7 +84,8 @@ TEST_P(Invariants, EveryParticleKeepsItsMass) {
     moving.go(steps);
     std::map<std::uint32_t, double> before, after;
     const Particles& fluid = moving.backend->fluid();
-    for (std::size_t i = 0; i < flow.fluid.size(); ++i) before[flow.fluid.id[i]] = flow.fluid.mass[i];
+    for (std::size_t i = 0; i < flow.fluid.size(); ++i)
+      before[flow.fluid.id[i]] = flow.fluid.mass[i];
     for (std::size_t i = 0; i < fluid.size(); ++i) after[fluid.id[i]] = fluid.mass[i];
     EXPECT_EQ(before, after);
     EXPECT_EQ(fluid.size(), flow.fluid.size());

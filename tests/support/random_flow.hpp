@@ -31,8 +31,7 @@ class RandomFlow {
     model.artificial_viscosity = flip() ? 0 : uniform(0, 0.2);
     model.viscous_operator = flip() ? ViscousOperator::nested : ViscousOperator::morris;
     model.boundary_stress = BoundaryStress(below(3));
-    model.boundary_pressure =
-        flip() ? BoundaryPressure::dynamic : BoundaryPressure::extrapolated;
+    model.boundary_pressure = flip() ? BoundaryPressure::dynamic : BoundaryPressure::extrapolated;
     const WallShear walls[] = {NoSlip{}, Slip{}, Coulomb{10, 0.4}, Voellmy{{0, 0.3}, 300}};
     model.wall = walls[below(4)];
     model.threads = 1;

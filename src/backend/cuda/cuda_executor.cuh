@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <type_traits>
 #include <vector>
@@ -33,13 +34,17 @@ __device__ Sum joined_in_block(const Sum& mine) {
   return sums[0];
 }
 
+/// Blocks of a sum: enough to fill any card.
+inline constexpr std::size_t most_partial_sums = 2048;
+
 /// A partial sum for each block.
 template <class Sum, class F>
 __global__ void __launch_bounds__(block_size)
     sum_blocks(std::size_t count, const __grid_constant__ F f, Sum* partial) {
-  const std::size_t i = std::size_t{blockIdx.x} * block_size + threadIdx.x;
+  const std::size_t stride = std::size_t{gridDim.x} * block_size;
   Sum mine;
-  if (i < count) f(i, mine);
+  for (std::size_t i = std::size_t{blockIdx.x} * block_size + threadIdx.x; i < count; i += stride)
+    f(i, mine);
   const Sum sum = joined_in_block(mine);
   if (threadIdx.x == 0) partial[blockIdx.x] = sum;
 }
@@ -76,9 +81,10 @@ class CudaExecutor {
     Sum total;
     if (count == 0) return total;
     DeviceArray<Sum> partial, sum;
-    partial.resize(blocks(count));
+    const auto sums = std::min<std::size_t>(blocks(count), most_partial_sums);
+    partial.resize(sums);
     sum.resize(1);
-    sum_blocks<Sum><<<blocks(count), block_size>>>(count, f, partial.data());
+    sum_blocks<Sum><<<static_cast<unsigned>(sums), block_size>>>(count, f, partial.data());
     check_cuda(cudaGetLastError(), "kernel launch");
     sum_partial<Sum><<<1, block_size>>>(partial.size(), partial.data(), sum.data());
     check_cuda(cudaGetLastError(), "kernel launch");
@@ -104,6 +110,7 @@ class CudaExecutor {
   void upload(const std::vector<T>& from, DeviceArray<T>& to) const {
     to.resize(from.size());
     move(from.data(), from.size(), to.data(), cudaMemcpyHostToDevice);
+    wait();  // `from` may be gone at once, and not every card has staged it by now
   }
   template <class T>
   void download(const DeviceArray<T>& from, std::vector<T>& to) const {

@@ -8,10 +8,35 @@
 namespace sabo {
 namespace {
 
-constexpr int least_capability = 8;  // of the code that is compiled, src/CMakeLists.txt
-
 std::string version_text(int version) {
   return std::to_string(version / 1000) + "." + std::to_string(version % 1000 / 10);
+}
+
+/// Stands for all kernels: there is code for a card or there is none.
+__global__ void probe() {}
+
+/// Why the card cannot do what is needed; empty if it can.
+std::string fault_of(const cudaDeviceProp& device) {
+  int has_pools = 0;
+  cudaDeviceGetAttribute(&has_pools, cudaDevAttrMemoryPoolsSupported, 0);
+  if (!has_pools)
+    return std::string(device.name) + " has no memory pools, as some shared virtual cards";
+  cudaFuncAttributes attributes;
+  const cudaError_t outcome = cudaFuncGetAttributes(&attributes, probe);
+  cudaGetLastError();
+  if (outcome == cudaSuccess) return "";
+  return std::string(device.name) + " of compute capability " + std::to_string(device.major) + "." +
+         std::to_string(device.minor) + " cannot run this program (" + cudaGetErrorString(outcome) +
+         "): build it with that capability among CMAKE_CUDA_ARCHITECTURES";
+}
+
+[[noreturn]] void throw_out_of_memory(const std::string& wanted) {
+  std::size_t free = 0, all = 0;
+  cudaGetLastError();
+  cudaMemGetInfo(&free, &all);
+  const auto megabytes = [](std::size_t b) { return std::to_string(b / 1000000) + " MB"; };
+  throw RunError("the graphics card is out of memory: " + wanted + ", " + megabytes(free) + " of " +
+                 megabytes(all) + " are free; raise numerics.spacing, or use --backend cpu");
 }
 
 /// Memory that is freed stays with the program: most of it is wanted again at once.
@@ -36,6 +61,7 @@ bool give_back_freed_memory() {
 
 void check_cuda(cudaError_t outcome, const char* call) {
   if (outcome == cudaSuccess) return;
+  if (outcome == cudaErrorMemoryAllocation) throw_out_of_memory(std::string("wanted by ") + call);
   throw RunError(std::string("the graphics card failed in ") + call + ": " +
                  cudaGetErrorString(outcome) + "; --backend cpu runs the same case");
 }
@@ -47,15 +73,8 @@ void* allocate_on_card(std::size_t bytes) {
   cudaError_t outcome = cudaMallocAsync(&memory, bytes, nullptr);
   if (outcome == cudaErrorMemoryAllocation && give_back_freed_memory())
     outcome = cudaMallocAsync(&memory, bytes, nullptr);
-  if (outcome == cudaErrorMemoryAllocation) {
-    cudaGetLastError();
-    std::size_t free = 0, all = 0;
-    check_cuda(cudaMemGetInfo(&free, &all), "cudaMemGetInfo");
-    const auto megabytes = [](std::size_t b) { return std::to_string(b / 1000000) + " MB"; };
-    throw RunError("the graphics card is out of memory: " + megabytes(bytes) +
-                   " more are wanted, " + megabytes(free) + " of " + megabytes(all) +
-                   " are free; raise numerics.spacing, or use --backend cpu");
-  }
+  if (outcome == cudaErrorMemoryAllocation)
+    throw_out_of_memory(std::to_string(bytes / 1000000) + " MB more are wanted");
   check_cuda(outcome, "cudaMalloc");
   return memory;
 }
@@ -80,17 +99,15 @@ std::string graphics_card_fault() {
   cudaDeviceProp device;
   if (cudaGetDeviceProperties(&device, 0) != cudaSuccess)
     return "the graphics card does not answer";
-  if (device.major < least_capability)
-    return std::string(device.name) + " is too old: it has compute capability " +
-           std::to_string(device.major) + "." + std::to_string(device.minor) +
-           ", the program needs " + std::to_string(least_capability) + ".0";
-  return "";
+  static const std::string fault = fault_of(device);  // takes a moment
+  return fault;
 }
 
 GraphicsCard graphics_card() {
   if (const std::string fault = graphics_card_fault(); !fault.empty()) throw RunError(fault);
   cudaDeviceProp device;
   check_cuda(cudaGetDeviceProperties(&device, 0), "cudaGetDeviceProperties");
+  give_back_freed_memory();
   std::size_t free = 0, all = 0;
   check_cuda(cudaMemGetInfo(&free, &all), "cudaMemGetInfo");
   return {device.name, static_cast<double>(all), static_cast<double>(free)};

@@ -21,7 +21,7 @@ namespace sabo {
 /// fluid() and boundary() are copies on the host. They are fetched when they are asked for after a
 /// change on the device, all fields at once, and handed back by find_neighbours() if they have been
 /// asked for since the last change. So a reference is good until the next sweep: ask again then.
-/// Per step only sums come to the host, and the forces on particles of bodies.
+/// Per step only sums come to the host, the forces on particles of bodies, and driven particles.
 template <class Executor>
 class DeviceBackend : public Backend {
  public:
@@ -32,6 +32,8 @@ class DeviceBackend : public Backend {
 
   Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
+
+  void change_driven(const std::function<void(Particles&)>& change) override;
 
   std::size_t fluid_count() const override { return count(fluid_, fluid_copy_); }
   std::size_t boundary_count() const override { return count(boundary_, boundary_copy_); }
@@ -100,6 +102,10 @@ class DeviceBackend : public Backend {
     return copy.is_lent ? copy.particles.size() : set.size();
   }
   Particles& fetched(DeviceParticles<Executor>& from, Copy& copy);
+  template <class T>
+  void fetch_driven(const Array<T>& from, std::vector<T>& to) const;
+  template <class T>
+  void put_driven(const std::vector<T>& from, Array<T>& to) const;
   FlowView view();
   PairRows rows() const;
   PairSums pair_sums() const { return {scale_, rows(), fluid_.size()}; }
@@ -159,9 +165,9 @@ class DeviceBackend : public Backend {
   std::uint64_t fluid_pairs_ = 0, boundary_pairs_ = 0;
   bool has_list_ = false;
 
-  Array<std::uint32_t> awake_;    // fluid particles that take part in the sweeps
-  Array<std::uint32_t> touched_;  // boundary particles with one of them near
-  Array<std::uint32_t> driven_;   // fluid particles that an inflow moves
+  Array<std::uint32_t> awake_;         // fluid particles that take part in the sweeps
+  Array<std::uint32_t> touched_;       // boundary particles with one of them near
+  Array<std::uint32_t> driven_;        // fluid particles that an inflow moves
   Array<std::uint32_t> driven_walls_;  // boundary particles that may be near those
   Array<char> has_neighbours_;
   Array<double> density_rate_;

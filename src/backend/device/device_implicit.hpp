@@ -14,7 +14,8 @@ namespace sabo {
 template <class Executor>
 void DeviceBackend<Executor>::wall_pressure() {
   const Clock clock(*this, "wall pressure", boundary_pairs_);
-  if (flow_records_.size() != all()) on_.reserve(flow_records_, all());
+  // Zero, since at the edge of the list there may be particles that no sweep packs.
+  if (flow_records_.size() != all()) on_.zero(flow_records_, all());
   if (wall_weight_.size() != boundary_.size()) on_.reserve(wall_weight_, boundary_.size());
   on_.for_each(fluid_.size(), PackFlow{packer(), view(), flow_records_.data()});
   using Sweep = WallPressureSweep;
@@ -26,7 +27,7 @@ void DeviceBackend<Executor>::wall_pressure() {
 /// All that the sweeps over near particles may meet; after wall_pressure(), which knows the places.
 template <class Executor>
 void DeviceBackend<Executor>::pack_motion_beside() {
-  if (motion_.size() != all()) on_.reserve(motion_, all());
+  if (motion_.size() != all()) on_.zero(motion_, all());
   const auto pack = [&](const ParticleView& of, std::size_t offset) {
     return PackMotionBeside{packer(), of, offset, flow_records_.data(), motion_.data()};
   };
@@ -91,7 +92,7 @@ void DeviceBackend<Executor>::near_motion() {
   {
     const Clock clock(*this, "wall closing", boundary_pairs_);
     pack_motion_beside();
-    if (closings_.size() != boundary_.size()) on_.reserve(closings_, boundary_.size());
+    if (closings_.size() != boundary_.size()) on_.zero(closings_, boundary_.size());
     using Sweep = WallClosingSweep;
     const Sweep sweep{pair_sums(), motion_.data(), view(), wall_weight_.data(), closings_.data()};
     on_.for_each(touched_.size(), AtRow<Sweep>{touched_.data(), sweep});

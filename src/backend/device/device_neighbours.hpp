@@ -1,20 +1,26 @@
 #pragma once
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
+#include <string>
 
 #include "backend/check_periods.hpp"
-#include "backend/device/column_search.hpp"
 #include "backend/compact.hpp"
+#include "backend/device/column_search.hpp"
 #include "backend/device/device_backend.hpp"
 #include "backend/device/implicit_pair_sweeps.hpp"
 #include "backend/device/list_motion.hpp"
 #include "backend/sweeps/driven.hpp"
 #include "backend/sweeps/explicit_sweeps.hpp"
+#include "base/error.hpp"
 
 // Copies on the host, sorting, neighbours, and the arrays that go with them.
 
 namespace sabo {
+
+inline constexpr std::size_t few_columns = 1'000'000;
+inline constexpr std::size_t most_columns = std::size_t{1} << 31;  // of keys with 32 bits below
 
 template <class Executor>
 DeviceBackend<Executor>::DeviceBackend(const FlowModel& model, const Executor& on)
@@ -29,6 +35,36 @@ Particles& DeviceBackend<Executor>::fetched(DeviceParticles<Executor>& from, Cop
   if (!copy.is_current) from.download(on_, copy.particles);
   copy.is_current = copy.is_lent = true;
   return copy.particles;
+}
+
+template <class Executor>
+template <class T>
+void DeviceBackend<Executor>::fetch_driven(const Array<T>& from, std::vector<T>& to) const {
+  Array<T> gathered;
+  on_.reserve(gathered, driven_.size());
+  on_.for_each(driven_.size(), Gather<T>{from.data(), driven_.data(), gathered.data()});
+  on_.download(gathered, to);
+}
+
+template <class Executor>
+template <class T>
+void DeviceBackend<Executor>::put_driven(const std::vector<T>& from, Array<T>& to) const {
+  Array<T> gathered;
+  on_.upload(from, gathered);
+  on_.for_each(driven_.size(), Scatter<T>{gathered.data(), driven_.data(), to.data()});
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::change_driven(const std::function<void(Particles&)>& change) {
+  Particles driven;
+  driven.resize(driven_.size());
+  fetch_driven(fluid_.driven, driven.driven);
+  fetch_driven(fluid_.position, driven.position);
+  fetch_driven(fluid_.velocity, driven.velocity);
+  change(driven);
+  put_driven(driven.position, fluid_.position);
+  put_driven(driven.velocity, fluid_.velocity);
+  fluid_copy_.outdate();
 }
 
 template <class Executor>
@@ -69,6 +105,7 @@ void DeviceBackend<Executor>::find_neighbours() {
   if (boundary_copy_.is_lent) boundary_.upload(on_, boundary_copy_.particles);
   fluid_copy_.outdate();
   boundary_copy_.outdate();
+  has_list_ = false;  // until there is one again: memory may run out
   forget_results();
   if (model_.periodic.any())
     on_.for_each(fluid_.size(), WrapPosition{model_.periodic, fluid_.position.data()});
@@ -101,8 +138,9 @@ void DeviceBackend<Executor>::find_neighbours() {
 template <class Executor>
 Particles DeviceBackend<Executor>::boundary_bodies() const {
   Particles known;
-  on_.download(boundary_.position, known.position);
   on_.download(boundary_.body, known.body);
+  if (std::ranges::count(known.body, 0) == std::ssize(known.body)) return {};
+  on_.download(boundary_.position, known.position);
   return known;
 }
 
@@ -117,6 +155,9 @@ void DeviceBackend<Executor>::forget_results() {
   on_.release(wall_share_);
   on_.release(filling_);
   on_.release(entries_);
+  on_.release(flow_records_);
+  on_.release(motion_);
+  on_.release(closings_);
 }
 
 template <class Executor>
@@ -135,9 +176,10 @@ void DeviceBackend<Executor>::need_implicit_arrays() {
   on_.zero(wall_share_, fluids);
   on_.zero(filling_, fluids);
   on_.zero(wall_slope_, fluids);
-  for (auto* array : {&wall_drag_, &support_, &diffusion_rate_}) on_.zero(*array, fluids);
   if (model_.artificial_viscosity > 0) on_.zero(artificial_heat_, fluids);
   if (model_.diffusion_form == DiffusionForm::fourtakas) on_.zero(background_, fluids);
+  // The last is the one that is looked at: memory may run out before.
+  for (auto* array : {&support_, &diffusion_rate_, &wall_drag_}) on_.zero(*array, fluids);
 }
 
 template <class Executor>
@@ -165,6 +207,9 @@ typename DeviceBackend<Executor>::SortedSet DeviceBackend<Executor>::sort(
   on_.for_each(count,
                MakeKey{sorted.lattice, packer(), set.position.data(), keys.data(), order.data()});
   const auto columns = sorted.lattice.columns();
+  if (columns > most_columns)
+    throw RunError("the flow has spread too far for a card: its box holds " +
+                   std::to_string(columns) + " columns of two kernels; --backend cpu runs it");
   on_.sort(keys, order, 32 + static_cast<int>(std::bit_width(columns)));
   on_.reserve(sorted.first, columns + 1);
   on_.for_each(columns + 1, FindColumn{keys.data(), count, sorted.first.data()});
@@ -223,8 +268,10 @@ bool DeviceBackend<Executor>::neighbours_are_stale(double margin) const {
 template <class Executor>
 double DeviceBackend<Executor>::relative_way() const {
   const FindWay way{fluid_.position.data(), list_position_.data()};
-  // Across a border of the box columns far from each other are neighbours.
-  if (model_.periodic.any()) {
+  // Across a border of the box columns far from each other are neighbours; and in a wide box with
+  // little in it columns would take more than the particles.
+  const bool is_sparse = sorted_fluid_.lattice.columns() > std::max(few_columns, 4 * fluid_.size());
+  if (model_.periodic.any() || is_sparse) {
     const auto box = on_.template reduce<CloudBox>(fluid_.size(), way);
     return norm(box.high - box.low);
   }
@@ -248,7 +295,9 @@ void DeviceBackend<Executor>::list_driven() {
   on_.reserve(driven_walls_, 0);
   if (driven_.size() == 0) return;
   std::visit(
-      [&](const auto& law) { over_driven(SettleDriven<std::decay_t<decltype(law)>>{view(), law}); },
+      [&](const auto& law) {
+        over_driven(SettleDriven<std::decay_t<decltype(law)>>{view(), law});
+      },
       model_.rheology);
   const MayTouchDriven<RowNear> may_touch{view(), RowNear{rows()}};
   list_kept(on_, boundary_.size(), may_touch, driven_walls_);

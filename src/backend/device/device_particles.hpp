@@ -17,6 +17,15 @@ struct Gather {
   SABO_HD void operator()(std::size_t k) const { to[k] = from[order[k]]; }
 };
 
+/// Value rows[k] of the result is value k of the source.
+template <class T>
+struct Scatter {
+  const T* from;
+  const std::uint32_t* rows;
+  T* to;
+  SABO_HD void operator()(std::size_t k) const { to[rows[k]] = from[k]; }
+};
+
 /// Memory that arrays take, bytes.
 template <class... Arrays>
 std::size_t bytes_of(const Arrays&... arrays) {

@@ -183,8 +183,8 @@ template <class Executor>
 std::size_t DeviceBackend<Executor>::device_bytes() const {
   return fluid_.bytes() + boundary_.bytes() + velocity_step_.bytes() +
          bytes_of(half_space_, slice_starts_, entries_, fluid_neighbours_, neighbours_,
-                  list_position_, awake_, touched_, driven_, driven_walls_, has_neighbours_, strain_, density_rate_,
-                  acceleration_, motion_) +
+                  list_position_, awake_, touched_, driven_, driven_walls_, has_neighbours_,
+                  strain_, density_rate_, acceleration_, motion_) +
          bytes_of(stress_, pressure_power_, stress_records_, start_position_, start_velocity_,
                   start_density_, start_boundary_density_) +
          bytes_of(wall_share_, filling_, wall_drag_, support_, wall_slope_, background_, shift_,

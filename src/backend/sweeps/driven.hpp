@@ -22,8 +22,7 @@ struct SettleDriven {
     const double p = flow.model.state.pressure(fluid.density[i]);
     const double gd = flow.model.strain_convention() * fluid.shear_rate[i];
     fluid.pressure[i] = p;
-    fluid.viscosity[i] =
-        law.viscosity(shear_state<Law>(gd, p, flow.model.yield, flow.yield_slope));
+    fluid.viscosity[i] = law.viscosity(shear_state<Law>(gd, p, flow.model.yield, flow.yield_slope));
   }
 };
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include <fmt/format.h>
+#include <unistd.h>
 #include <zlib.h>
 #include <zstd.h>
 
@@ -135,10 +136,15 @@ void StateFile::read(const std::function<void(ArchiveReader&)>& content, bool to
 }
 
 StateFile read_state_file(const std::filesystem::path& file, std::uint32_t version) {
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  std::error_code error;
+  if (!std::filesystem::is_regular_file(file, error)) throw RunError("is no file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  const std::uintmax_t memory =
+      std::uintmax_t(sysconf(_SC_PHYS_PAGES)) * std::uintmax_t(sysconf(_SC_PAGESIZE));
+  if (error || size > memory) throw RunError("is larger than the memory of this machine");
+  std::ifstream stream(file, std::ios::binary);
   if (!stream) throw RunError("cannot be opened");
-  std::string bytes(static_cast<std::size_t>(stream.tellg()), '\0');
-  stream.seekg(0);
+  std::string bytes(size, '\0');
   stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size()));
   if (!stream) throw RunError("cannot be read");
   return {std::move(bytes), version};
