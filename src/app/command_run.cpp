@@ -11,6 +11,7 @@
 #include "app/messages.hpp"
 #include "app/progress_display.hpp"
 #include "app/stop_signals.hpp"
+#include "base/error.hpp"
 #include "run/load_case.hpp"
 #include "run/simulation.hpp"
 
