@@ -196,7 +196,7 @@ TEST(InflowScene, SaysWhatIsWrongWithALine) {
               HasSubstr("lies beside the DEM"));
   EXPECT_THAT(fault_of_inflow("line = [[-1, 1.5], [1, 1.5]]\n" + discharge),
               HasSubstr("lies outside the DEM"));
-  EXPECT_THAT(fault_of_inflow("line = [[1, 1.5], [1, 3], [1, 2], [1, 3.5]]\n" + discharge),
+  EXPECT_THAT(fault_of_inflow("line = [[1, 1.5], [1, 3], [1.1, 2], [1.2, 3.5]]\n" + discharge),
               HasSubstr("turns back"));
   EXPECT_THAT(fault_of_inflow("line = [[1, 1], [1, 3.5]]\n" + discharge),
               HasSubstr("a structure or body stands in the first 1 m"));
