@@ -30,6 +30,11 @@ Energy energy_brought_by(const Particles& particles, const Vec3d& gravity, const
   return energy;
 }
 
+double surplus_fall(const Energy& start, const Energy& now, const Energy& left, double gravity) {
+  const double weight = start.mass * gravity;
+  return weight > 0 ? (now.total() + left.total() - start.total()) / weight : 0;
+}
+
 EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energy& left,
                              double dissipated, double numerical) {
   EnergyBalance balance;

@@ -40,6 +40,10 @@ struct EnergyBalance {
 EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energy& left,
                              double dissipated, double numerical);
 
+/// Energy that a flow has beyond what it started with, as if all of it had fallen so many metres
+/// more than it has; what it has lost makes it negative. `gravity` in m/s2.
+double surplus_fall(const Energy& start, const Energy& now, const Energy& left, double gravity);
+
 /// Energy that particles bring through an inflow: their own, and the work p m/rho of what pushes
 /// them, counted as elastic.
 Energy energy_brought_by(const Particles& particles, const Vec3d& gravity, const Tait& tait);

@@ -23,6 +23,8 @@
 namespace sabo {
 namespace {
 
+constexpr double doubtful_imbalance = 0.1;  // of the potential energy given up
+
 const char* verb_of(RunEnd end) {
   if (end == RunEnd::failed) return "failed";
   return end == RunEnd::interrupted ? "was interrupted" : "ended";
@@ -214,9 +216,12 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
     const EnergyBalance energy = balance_of(rows);
     lines.push_back(
         fmt::format("Potential energy given up {:.4g} J: {:.1f} % by friction and viscosity, "
-                    "{:.1f} % by the scheme itself, {:.2f} % unaccounted for",
+                    "{:.1f} % by the scheme itself, {:.2f} % {}",
                     energy.released, 100 * energy.share(energy.dissipated),
-                    100 * energy.share(energy.numerical), 100 * std::abs(energy.imbalance())));
+                    100 * energy.share(energy.numerical), 100 * std::abs(energy.imbalance()),
+                    energy.imbalance() > 0 ? "too much is there" : "missing"));
+    if (std::abs(energy.imbalance()) > doubtful_imbalance)
+      lines.push_back("  energy is not accounted for: try a smaller numerics.spacing and compare");
   }
   lines.push_back(solver_text(facts.solver));
   lines.push_back("Resolution: " + resolution_text(facts.resolution));

@@ -77,7 +77,8 @@ class Recorder {
   /// Particles that left the domain and those put back on the ground since the last call.
   void after_renewal(Domain& domain, const Tait& state);
 
-  /// Appends a row to every series.
+  /// Appends a row to every series. Throws RunError, before it does, when the flow has more energy
+  /// than it can have.
   void write_row(const Stepper& stepper, const StepReport& report, Backend& backend);
 
   /// Takes the last state into the maps.
@@ -108,6 +109,7 @@ class Recorder {
 
  private:
   void look(double time, const Particles& fluid);
+  void check_energy(const SeriesRow& row) const;
   void write_zones(SeriesRow& row);
   void write_solver_row(const Stepper& stepper, const StepReport& report, Backend& backend);
 

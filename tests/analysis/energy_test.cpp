@@ -29,6 +29,13 @@ TEST(Energy, sums_over_all_blocks) {
   EXPECT_EQ(energy_of(Particles{}, {0, 0, -1}, water).mass, 0);
 }
 
+// 10 kg have gained 20 J: what a fall of 0.2 m gives at 10 m/s2.
+TEST(SurplusFall, IsWhatAFlowCannotHave) {
+  EXPECT_DOUBLE_EQ(surplus_fall({10, 0, 100, 0}, {8, 50, 40, 2}, {2, 8, 20, 0}, 10), 0.2);
+  EXPECT_DOUBLE_EQ(surplus_fall({10, 0, 100, 0}, {10, 30, 60, 0}, {}, 10), -0.1);
+  EXPECT_EQ(surplus_fall({}, {10, 30, 60, 0}, {}, 10), 0);
+}
+
 // 100 J at the start. 60 J of height are given up: 30 J of them are heat, 10 J the scheme took,
 // 15 J are motion, 2 J went off with what left, whose height was worth 10 J. 3 J are missing.
 TEST(EnergyBalance, FollowsWhatIsGivenUp) {
