@@ -44,6 +44,7 @@ FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
   model.boundary_pressure = numerics.boundary_pressure;
   model.wall = wall_shear(numerics);
   model.crowding_tolerance = numerics.crowding_tolerance;
+  model.tension_at_surface = numerics.tension_at_surface;
   model.particle_shifting = numerics.particle_shifting;
   if (has_yield(material.law)) model.sleep = {numerics.sleep_speed, numerics.sleep_time};
   model.as_printed = numerics.as_printed;

@@ -89,7 +89,8 @@ struct ChangeSoundSpeed {
   ParticleView fluid;
   SABO_HD void operator()(std::size_t i, Total& sum) const {
     const double before = former.elastic_energy(fluid.density[i]);
-    fluid.density[i] = state.density(fluid.pressure[i]);
+    // That of the particle may be less: see AdvanceState.
+    fluid.density[i] = state.density(former.pressure(fluid.density[i]));
     sum.value += fluid.mass[i] * (before - state.elastic_energy(fluid.density[i]));
   }
 };

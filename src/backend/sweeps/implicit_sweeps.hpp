@@ -6,6 +6,7 @@
 #include "backend/flow_view.hpp"
 #include "backend/sweeps/explicit_sweeps.hpp"
 #include "backend/sweeps/sleep.hpp"
+#include "backend/sweeps/tension.hpp"
 
 // What the implicit method does at one particle at a time.
 
@@ -100,7 +101,10 @@ SABO_HD inline double held_to_places(const FlowView& flow, double density, std::
   const double slack = flow.model.crowding_tolerance * rho0;
   const double placed =
       rho0 * filling.share * flow.half_space->completion(norm(filling.gradient) / filling.share);
-  if (density < placed - slack) return density + catch_up * (placed - slack - density);
+  // A fluid that tears does not remember by how much.
+  const double torn = 1 - borne_tension(flow.model, flow.support[i]);
+  const double least = placed + torn * larger(rho0 - placed, 0.0) - slack;
+  if (density < least) return density + catch_up * (least - density);
   const double most = larger(rho0, placed + slack);
   return density > most ? density + catch_up * (most - density) : density;
 }
@@ -146,6 +150,8 @@ struct AdvanceState {
     fluid.position[i] += dt * fluid.velocity[i];
     fluid.calm[i] = is_calm(flow, i) ? fluid.calm[i] + dt : 0;
     fluid.pressure[i] = state.pressure(fluid.density[i]);
+    // Beside the air a fluid tears.
+    if (fluid.pressure[i] < 0) fluid.pressure[i] *= borne_tension(flow.model, flow.support[i]);
   }
 };
 
