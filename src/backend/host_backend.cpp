@@ -177,7 +177,7 @@ void HostBackend::correct(double dt) {
 void HostBackend::set_sound_speed(double c0) {
   const Tait former = model_.state;
   model_.state.c0 = c0;
-  const ChangeSoundSpeed change{former, model_.state, view_of(fluid_)};
+  const ChangeSoundSpeed change{former, model_.state, view_of(fluid_), !model_.tension_at_surface};
   numerical_heat_.sound_speed += on_.reduce<Total>(fluid_.size(), change).value;
 }
 

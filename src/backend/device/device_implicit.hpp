@@ -152,7 +152,7 @@ void DeviceBackend<Executor>::set_sound_speed(double c0) {
   const Clock clock(*this, "checks and sums");
   const Tait former = model_.state;
   model_.state.c0 = c0;
-  const ChangeSoundSpeed change{former, model_.state, fluid_.view()};
+  const ChangeSoundSpeed change{former, model_.state, fluid_.view(), !model_.tension_at_surface};
   numerical_heat_.sound_speed += on_.template reduce<Total>(fluid_.size(), change).value;
   scale_.set_sound_speed(model_);
   fluid_copy_.outdate();

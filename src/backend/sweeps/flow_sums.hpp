@@ -87,10 +87,11 @@ struct FindDissipation {
 struct ChangeSoundSpeed {
   Tait former, state;
   ParticleView fluid;
+  bool may_be_torn;  ///< then the pressure of a particle may not be that of its density
   SABO_HD void operator()(std::size_t i, Total& sum) const {
     const double before = former.elastic_energy(fluid.density[i]);
-    // That of the particle may be less: see AdvanceState.
-    fluid.density[i] = state.density(former.pressure(fluid.density[i]));
+    const double pressure = may_be_torn ? former.pressure(fluid.density[i]) : fluid.pressure[i];
+    fluid.density[i] = state.density(pressure);
     sum.value += fluid.mass[i] * (before - state.elastic_energy(fluid.density[i]));
   }
 };
