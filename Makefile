@@ -5,7 +5,7 @@
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
 # Long runs of the solver; the sanitizers make them ten times longer and find nothing new in them.
-LONG_TESTS = ^(solver|run)[.]|^verify[.]All|^tutorial$$|^web[.]|^app[.]BadInput|^faults
+LONG_TESTS = ^(solver|run)[.]|^verify[.]All|^tutorial$$|^app[.]BadInput|^faults
 
 help:
 	@echo 'make build    install what is missing, then build build/release/src/sabo'

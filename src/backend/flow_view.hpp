@@ -39,6 +39,28 @@ struct FlowView {
   Vec3d* shift = nullptr;             ///< of the last step, m
 };
 
+/// Points a view at the arrays of a backend, which have the same names wherever they live.
+struct FlowArrays {
+  template <class Backend>
+  static void point(FlowView& flow, Backend& of) {
+    flow.strain = of.strain_.data();
+    flow.stress = of.stress_.data();
+    flow.density_rate = of.density_rate_.data();
+    flow.acceleration = of.acceleration_.data();
+    flow.pressure_power = of.pressure_power_.data();
+    flow.has_neighbours = of.has_neighbours_.data();
+    flow.wall = of.wall_share_.data();
+    flow.wall_drag = of.wall_drag_.data();
+    flow.wall_slope = of.wall_slope_.data();
+    flow.support = of.support_.data();
+    flow.background = of.background_.size() > 0 ? of.background_.data() : nullptr;
+    flow.filling = of.filling_.data();
+    flow.artificial_heat = of.artificial_heat_.size() > 0 ? of.artificial_heat_.data() : nullptr;
+    flow.diffusion_rate = of.diffusion_rate_.data();
+    flow.shift = of.shift_.data();
+  }
+};
+
 /// Particles that a sweep works on.
 struct RowList {
   const std::uint32_t* index = nullptr;

@@ -27,21 +27,7 @@ FlowView HostBackend::view() {
   flow.fluid_count = fluid_.size();
   flow.fluid = view_of(fluid_);
   flow.boundary = view_of(boundary_);
-  flow.strain = strain_.data();
-  flow.stress = stress_.data();
-  flow.density_rate = density_rate_.data();
-  flow.acceleration = acceleration_.data();
-  flow.pressure_power = pressure_power_.data();
-  flow.has_neighbours = has_neighbours_.data();
-  flow.wall = wall_share_.data();
-  flow.wall_drag = wall_drag_.data();
-  flow.wall_slope = wall_slope_.data();
-  flow.support = support_.data();
-  flow.background = background_.data();
-  flow.filling = filling_.data();
-  flow.artificial_heat = artificial_heat_.data();
-  flow.diffusion_rate = diffusion_rate_.data();
-  flow.shift = shift_.data();
+  FlowArrays::point(flow, *this);
   return flow;
 }
 
@@ -82,17 +68,7 @@ void HostBackend::pressure() {
 
 void HostBackend::stress() {
   const PassClock clock(pass_times_, "stress");
-  const bool nested = model_.viscous_operator == ViscousOperator::nested;
-  const bool wall = nested && model_.boundary_stress != BoundaryStress::none;
-  const FlowView flow = view();
-  std::visit(
-      [&](const auto& law) {
-        using Law = std::decay_t<decltype(law)>;
-        on_.for_each(fluid_.size(), FindStress<Law>{flow, law, flow.fluid, 0, nested});
-        on_.for_each(boundary_.size(),
-                     FindStress<Law>{flow, law, flow.boundary, fluid_.size(), wall});
-      },
-      model_.rheology);
+  find_stress(on_, view(), boundary_.size());
 }
 
 void HostBackend::extrapolate_to_boundary() {

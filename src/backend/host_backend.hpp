@@ -46,6 +46,7 @@ class HostBackend : public Backend {
 
  protected:
   friend class HostNear;
+  friend struct FlowArrays;
 
   /// Lists the pairs of the present positions, reordering the particles if it likes.
   virtual void list_pairs() = 0;

@@ -72,8 +72,7 @@ struct NumericsCase {
     if constexpr (SetsMembers<V>) take_method();
     v(Key{"backend", "",
           "where the particle loops run: cpu, cuda (an NVIDIA graphics card), or reference "
-          "(serial, all "
-          "pairs)"},
+          "(serial, all pairs)"},
       backend);
     v(Key{"threads", "", "number of threads; 0 takes all. The results do not depend on it"}
           .at_least(0)
@@ -169,8 +168,7 @@ struct NumericsCase {
       crowding_tolerance);
     v(Key{"tension_at_surface", "",
           "fast: near a free surface, too, pressure may be negative, as density gives it; false: "
-          "only "
-          "inside of the flow, so that a jet is not drawn round the edge of what it strikes"},
+          "only inside of the flow, so that a jet is not drawn round the edge of what it strikes"},
       tension_at_surface);
     v(Key{"particle_shifting", "",
           "fast: inside of the flow particles are shifted to more even places, by this times h^2, "

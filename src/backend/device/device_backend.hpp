@@ -83,6 +83,8 @@ class DeviceBackend : public Backend {
   Array<Sym3<double>> strain_;
 
  private:
+  friend struct FlowArrays;
+
   /// Times a pass to its end on the device.
   struct Clock {
     Clock(const DeviceBackend& backend, std::string_view name, std::uint64_t pairs = 0)

@@ -76,21 +76,7 @@ FlowView DeviceBackend<Executor>::view() {
   flow.fluid_count = fluid_.size();
   flow.fluid = fluid_.view();
   flow.boundary = boundary_.view();
-  flow.strain = strain_.data();
-  flow.stress = stress_.data();
-  flow.density_rate = density_rate_.data();
-  flow.acceleration = acceleration_.data();
-  flow.pressure_power = pressure_power_.data();
-  flow.has_neighbours = has_neighbours_.data();
-  flow.wall = wall_share_.data();
-  flow.wall_drag = wall_drag_.data();
-  flow.wall_slope = wall_slope_.data();
-  flow.support = support_.data();
-  flow.background = background_.size() > 0 ? background_.data() : nullptr;
-  flow.filling = filling_.data();
-  flow.artificial_heat = artificial_heat_.size() > 0 ? artificial_heat_.data() : nullptr;
-  flow.diffusion_rate = diffusion_rate_.data();
-  flow.shift = shift_.data();
+  FlowArrays::point(flow, *this);
   return flow;
 }
 

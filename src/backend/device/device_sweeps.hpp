@@ -41,17 +41,7 @@ void DeviceBackend<Executor>::strain_and_density_rates() {
 template <class Executor>
 void DeviceBackend<Executor>::stress() {
   const Clock clock(*this, "stress");
-  const bool nested = model_.viscous_operator == ViscousOperator::nested;
-  const bool wall = nested && model_.boundary_stress != BoundaryStress::none;
-  const FlowView flow = view();
-  std::visit(
-      [&](const auto& law) {
-        using Law = std::decay_t<decltype(law)>;
-        on_.for_each(fluid_.size(), FindStress<Law>{flow, law, flow.fluid, 0, nested});
-        on_.for_each(boundary_.size(),
-                     FindStress<Law>{flow, law, flow.boundary, fluid_.size(), wall});
-      },
-      model_.rheology);
+  find_stress(on_, view(), boundary_.size());
   fluid_copy_.outdate();
   boundary_copy_.outdate();
 }

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <type_traits>
+#include <variant>
+
 #include "backend/flow_view.hpp"
 #include "math/scalar.hpp"
 #include "physics/pair/strain_rate.hpp"
@@ -47,6 +50,21 @@ struct FindStress {
     if (carries_stress) stress += (convention * mu / rho2) * eps;
   }
 };
+
+/// That of all particles, by the model's law; walls carry stress as the model says.
+template <class Executor>
+void find_stress(const Executor& on, const FlowView& flow, std::size_t boundary_count) {
+  const FlowModel& model = flow.model;
+  const bool nested = model.viscous_operator == ViscousOperator::nested;
+  const bool wall = nested && model.boundary_stress != BoundaryStress::none;
+  std::visit(
+      [&](const auto& law) {
+        using Find = FindStress<std::decay_t<decltype(law)>>;
+        on.for_each(flow.fluid_count, Find{flow, law, flow.fluid, 0, nested});
+        on.for_each(boundary_count, Find{flow, law, flow.boundary, flow.fluid_count, wall});
+      },
+      model.rheology);
+}
 
 /// State of the fluid and density of the boundary at the start of a step.
 struct StepStart {

@@ -132,9 +132,7 @@ std::string runs_of(const RunRecord& run, const char* part) {
   const auto content = read_file(run.folder() / part / "result.toml", max_result);
   Faults faults;
   const auto result = content ? parse_toml(*content, "result.toml", faults) : std::nullopt;
-  const TomlNode* node = result ? find(*result, "result") : nullptr;
-  const auto* table = node ? std::get_if<TomlTable>(&node->value) : nullptr;
-  const TomlNode* runs = table ? find(*table, "runs") : nullptr;
+  const TomlNode* runs = result ? find(table_at(*result, "result"), "runs") : nullptr;
   const auto* list = runs ? std::get_if<TomlArray>(&runs->value) : nullptr;
   std::string text;
   for (std::size_t k = 0; list && k < list->size() && k < 26; ++k)
