@@ -86,21 +86,21 @@ int verify(const VerifyOptions& options) {
     return exit_done;
   }
   const std::atomic<bool>& stop = catch_stop_signals();
-  std::vector<VerifyRecord> records;
+  const Effort effort = options.quick      ? Effort::quick
+                        : options.extended ? Effort::extended
+                                           : Effort::full;
+  std::ptrdiff_t run_count = 0, passed = 0;
   bool was_stopped = false;
   for (const auto& [verification, method] : chosen(options)) {
     VerifySettings settings;
     settings.method = method;
-    settings.effort = options.quick      ? Effort::quick
-                      : options.extended ? Effort::extended
-                                         : Effort::full;
+    settings.effort = effort;
     settings.threads = options.threads;
     settings.folder = options.folder;
     std::optional<VerifyRecord> record;
-    if (!options.again)
-      record = read_record(options.folder, verification->name, method, settings.effort);
+    if (!options.again) record = read_record(options.folder, verification->name, method, effort);
     try {
-      if (!record) {
+      if (!record || !record->is_current) {
         record = run(*verification, settings, stop);
         write_record(*record, options.folder);
       }
@@ -111,13 +111,14 @@ int verify(const VerifyOptions& options) {
     }
     fmt::print("{}\n", text_of(*record));
     std::fflush(stdout);
-    records.push_back(std::move(*record));
+    ++run_count;
+    passed += record->holds() ? 1 : 0;
   }
-  const auto passed = std::ranges::count_if(records, &VerifyRecord::holds);
-  fmt::print("{} of {} cases pass. Open {}\n", passed, records.size(),
-             write_verify_page(records, options.folder).string());
+  // The page also has what earlier calls left in the folder.
+  const auto page = write_verify_page(read_records(options.folder, effort), options.folder);
+  fmt::print("{} of {} cases pass. Open {}\n", passed, run_count, page.string());
   if (was_stopped) return exit_stopped;
-  return passed == std::ssize(records) ? exit_done : exit_run_failed;
+  return passed == run_count ? exit_done : exit_run_failed;
 }
 
 }  // namespace

@@ -55,7 +55,7 @@ struct NumericsCase {
   double sleep_speed = 0.005;
   double sleep_time = 0.5;
   double crowding_tolerance = 0.03;
-  bool tension_at_surface = true;
+  bool tension_at_surface = false;
   double particle_shifting = 0;
   double gravity = 9.81;
 
@@ -167,8 +167,8 @@ struct NumericsCase {
           .at_most(1),
       crowding_tolerance);
     v(Key{"tension_at_surface", "",
-          "fast: near a free surface, too, pressure may be negative, as density gives it; false: "
-          "only inside of the flow, so that a jet is not drawn round the edge of what it strikes"},
+          "fast: near a free surface, too, pressure may be negative, as density gives it, which "
+          "draws a jet round the edge of what it strikes; false: only inside of the flow"},
       tension_at_surface);
     v(Key{"particle_shifting", "",
           "fast: inside of the flow particles are shifted to more even places, by this times h^2, "

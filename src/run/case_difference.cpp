@@ -46,8 +46,12 @@ ListedValues values_of(Case c) {
   return values;
 }
 
+ListedValues::const_iterator find_value(const ListedValues& values, const std::string& key) {
+  return std::ranges::find(values, key, [](const auto& value) { return value.first; });
+}
+
 std::string value_in(const ListedValues& values, const std::string& key) {
-  const auto found = std::ranges::find(values, key, [](const auto& value) { return value.first; });
+  const auto found = find_value(values, key);
   return found == values.end() ? "" : found->second;
 }
 
@@ -61,9 +65,8 @@ std::vector<KeyDifference> case_differences(Case before, Case after) {
     if (const std::string old_value = value_in(old_values, key); old_value != value)
       differences.push_back({key, old_value, value});
   for (const auto& [key, value] : old_values) {
-    const bool is_gone =
-        std::ranges::none_of(values, [&](const auto& v) { return v.first == key; });
-    if (is_gone && !value.empty()) differences.push_back({key, value, ""});
+    const bool is_there = find_value(values, key) != values.end();
+    if (!is_there && !value.empty()) differences.push_back({key, value, ""});
   }
   return differences;
 }

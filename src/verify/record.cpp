@@ -11,6 +11,7 @@
 #include "io/case_file/toml_string.hpp"
 #include "io/case_file/toml_tree.hpp"
 #include "io/output/checksum.hpp"
+#include "io/output/cpu_name.hpp"
 #include "io/output/file.hpp"
 #include "io/output/read_file.hpp"
 #include "run/manifest.hpp"
@@ -46,13 +47,13 @@ std::vector<std::string> quoted(const std::vector<std::string>& texts) {
 std::string toml_of(const VerifyRecord& record) {
   std::string text = fmt::format(
       "# Written by sabo verify.\nversion = {}\nprogram = {}\nname = {}\nmethod = {}\neffort = "
-      "{}\ndate = {}\n"
+      "{}\ndate = {}\nmachine = {}\n"
       "seconds = {:.3f}\nfailure = {}\nremarks = [{}]\npictures = [{}]\n",
-      toml_string(build_version), toml_string(program_checksum()), toml_string(record.name),
-      toml_string(std::string(word_of(record.method))),
-      toml_string(std::string(word_of(record.effort))), toml_string(record.date), record.seconds,
-      toml_string(record.failure), fmt::join(quoted(record.verdict.remarks), ", "),
-      fmt::join(quoted(record.pictures), ", "));
+      toml_string(record.version), toml_string(record.is_current ? program_checksum() : ""),
+      toml_string(record.name), toml_string(std::string(word_of(record.method))),
+      toml_string(std::string(word_of(record.effort))), toml_string(record.date),
+      toml_string(record.machine), record.seconds, toml_string(record.failure),
+      fmt::join(quoted(record.verdict.remarks), ", "), fmt::join(quoted(record.pictures), ", "));
   for (const Claim& claim : record.verdict.claims)
     text += fmt::format(
         "\n[[claim]]\nwhat = {}\nunit = {}\nmeasured = {:.17g}\nexpected = {:.17g}\ngate = {}\n"
@@ -92,6 +93,9 @@ VerifyRecord run_verification(const Verification& verification, const VerifySett
   using Clock = std::chrono::steady_clock;
   VerifyRecord record{std::string(verification.name), settings.method, settings.effort};
   record.date = utc_now();
+  record.version = build_version;
+  record.machine = cpu_name();
+  record.is_current = true;
   const auto begin = Clock::now();
   try {
     record.verdict = verification.run(settings);
@@ -112,6 +116,9 @@ void write_record(VerifyRecord& record, const fs::path& folder) {
     record.pictures.push_back(fmt::format("{}-{}.svg", name, k + 1));
     write_file_atomically(folder / record.pictures.back(), chart_svg(record.verdict.charts[k]));
   }
+  for (std::size_t k = record.pictures.size() + 1;
+       fs::remove(folder / fmt::format("{}-{}.svg", name, k), error); ++k) {
+  }
   write_file_atomically(folder / (name + ".toml"), toml_of(record));
 }
 
@@ -121,9 +128,12 @@ std::optional<VerifyRecord> read_record(const fs::path& folder, std::string_view
   if (!text) return std::nullopt;
   Faults faults;
   const auto file = parse_toml(*text, "record", faults);
-  if (!file || program_checksum().empty() || text_at(*file, "program") != program_checksum())
-    return std::nullopt;
+  if (!file || !text_at(*file, "version")) return std::nullopt;
   VerifyRecord record{std::string(name), method, effort};
+  record.version = *text_at(*file, "version");
+  record.machine = text_at(*file, "machine").value_or("");
+  record.is_current =
+      !program_checksum().empty() && text_at(*file, "program") == program_checksum();
   record.verdict.remarks = texts_at(*file, "remarks");
   record.pictures = texts_at(*file, "pictures");
   record.failure = text_at(*file, "failure").value_or("");
@@ -135,6 +145,15 @@ std::optional<VerifyRecord> read_record(const fs::path& folder, std::string_view
     for (const TomlNode& node : *list)
       if (auto claim = claim_of(node)) record.verdict.claims.push_back(std::move(*claim));
   return record;
+}
+
+std::vector<VerifyRecord> read_records(const fs::path& folder, Effort effort) {
+  std::vector<VerifyRecord> records;
+  for (const Verification& verification : verifications())
+    for (const Method method : verification.methods)
+      if (auto record = read_record(folder, verification.name, method, effort))
+        records.push_back(std::move(*record));
+  return records;
 }
 
 }  // namespace sabo

@@ -4,9 +4,8 @@
 
 #include "verify/validation_page.hpp"
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
-#include "base/version.hpp"
-#include "io/output/cpu_name.hpp"
 #include "io/output/file.hpp"
 #include "io/output/index_page.hpp"
 #include "io/output/json.hpp"
@@ -50,13 +49,14 @@ PageTable table_of(const VerifyRecord& record) {
 }
 
 PageTable overview(const std::vector<VerifyRecord>& records) {
-  PageTable table{"Cases", {"", "claims met", "time [s]", "outcome"}, {}};
+  PageTable table{"Cases", {"", "claims met", "time [s]", "version", "date", "outcome"}, {}};
   for (const VerifyRecord& record : records) {
     const auto& claims = record.verdict.claims;
     table.rows.push_back(
         {title_of(record),
          fmt::format("{} of {}", std::ranges::count_if(claims, &Claim::holds), claims.size()),
-         fmt::format("{:.0f}", record.seconds), std::string(outcome_text(record.holds()))});
+         fmt::format("{:.0f}", record.seconds), record.version, record.date.substr(0, 10),
+         std::string(outcome_text(record.holds()))});
   }
   return table;
 }
@@ -65,6 +65,12 @@ PageTable overview(const std::vector<VerifyRecord>& records) {
 
 const Verification& verification_of(const VerifyRecord& record) {
   return *std::ranges::find(verifications(), record.name, &Verification::name);
+}
+
+std::set<std::string> machines(const std::vector<VerifyRecord>& records) {
+  std::set<std::string> names;
+  for (const VerifyRecord& record : records) names.insert(record.machine);
+  return names;
 }
 
 std::string_view outcome_text(bool holds) { return holds ? "pass" : "FAIL"; }
@@ -105,16 +111,16 @@ std::string text_of(const VerifyRecord& record) {
 }
 
 std::string json_of(const std::vector<VerifyRecord>& records) {
-  std::string text = fmt::format("{{\n  \"format\": 1,\n  \"version\": {},\n  \"cases\": [",
-                                 json_string(build_version));
+  std::string text = "{\n  \"format\": 1,\n  \"cases\": [";
   const char* case_separator = "\n";
   for (const VerifyRecord& record : records) {
     text += fmt::format(
-        "{}    {{\"name\": {}, \"method\": \"{}\", \"effort\": \"{}\", \"date\": {}, "
-        "\"seconds\": {}, \"pass\": {}, \"failure\": {}, \"claims\": [",
+        "{}    {{\"name\": {}, \"method\": \"{}\", \"effort\": \"{}\", \"version\": {}, "
+        "\"machine\": {}, \"date\": {}, \"seconds\": {}, \"pass\": {}, \"failure\": {}, "
+        "\"claims\": [",
         case_separator, json_string(record.name), word_of(record.method), word_of(record.effort),
-        json_string(record.date), json_number(record.seconds), record.holds(),
-        json_string(record.failure));
+        json_string(record.version), json_string(record.machine), json_string(record.date),
+        json_number(record.seconds), record.holds(), json_string(record.failure));
     case_separator = ",\n";
     const char* separator = "\n";
     for (const Claim& claim : record.verdict.claims) {
@@ -135,7 +141,7 @@ std::filesystem::path write_verify_page(const std::vector<VerifyRecord>& records
                                         const std::filesystem::path& folder) {
   IndexPage page;
   page.title = "Verification of sabo";
-  page.subtitle = fmt::format("sabo {} · {} · {} of {} cases pass", build_version, cpu_name(),
+  page.subtitle = fmt::format("{} · {} of {} cases pass", fmt::join(machines(records), ", "),
                               std::ranges::count_if(records, &VerifyRecord::holds), records.size());
   page.tables = {overview(records)};
   for (const VerifyRecord& record : records) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -16,10 +17,13 @@ std::string_view outcome_text(bool holds);
 /// The case that was run.
 const Verification& verification_of(const VerifyRecord& record);
 
+/// The processors that ran the cases.
+std::set<std::string> machines(const std::vector<VerifyRecord>& records);
+
 /// What a case found, for the terminal: a line for the case, one for each claim, its remarks.
 std::string text_of(const VerifyRecord& record);
 
-/// All cases as JSON: the program, and for each case its claims with value, gate and outcome.
+/// All cases as JSON: for each its program, its claims with value, gate and outcome.
 std::string json_of(const std::vector<VerifyRecord>& records);
 
 /// Writes index.html to the folder that holds the records and their pictures; returns its path.

@@ -4,9 +4,7 @@
 
 #include "verify/report.hpp"
 #include <fmt/format.h>
-
-#include "base/version.hpp"
-#include "io/output/cpu_name.hpp"
+#include <fmt/ranges.h>
 
 namespace sabo {
 namespace {
@@ -22,12 +20,15 @@ std::string cell(const std::string& text) {
 }
 
 std::string overview(const std::vector<VerifyRecord>& records) {
-  std::string text = "| case | method | claims met | time [s] | |\n|---|---|---:|---:|---|\n";
+  std::string text =
+      "| case | method | claims met | time [s] | version | date | |\n"
+      "|---|---|---:|---:|---|---|---|\n";
   for (const VerifyRecord& record : records) {
     const auto& claims = record.verdict.claims;
-    text += fmt::format("| [{0}](#{0}) | `{1}` | {2} of {3} | {4:.0f} | {5} |\n", record.name,
-                        word_of(record.method), std::ranges::count_if(claims, &Claim::holds),
-                        claims.size(), record.seconds, outcome_text(record.holds()));
+    text += fmt::format("| [{0}](#{0}) | `{1}` | {2} of {3} | {4:.0f} | {5} | {6} | {7} |\n",
+                        record.name, word_of(record.method),
+                        std::ranges::count_if(claims, &Claim::holds), claims.size(), record.seconds,
+                        record.version, record.date.substr(0, 10), outcome_text(record.holds()));
   }
   return text;
 }
@@ -89,11 +90,10 @@ std::string section(const CaseRecords& records) {
 
 std::string validation_markdown(const std::vector<VerifyRecord>& records) {
   std::string text = fmt::format(
-      "# Verification and validation\n\nWritten by `sabo verify --all` of sabo {} on {}{}. {} of "
-      "{} "
-      "cases pass, each method counted.\n\n{}",
-      build_version, cpu_name(), records.empty() ? "" : ", " + records.back().date.substr(0, 10),
-      std::ranges::count_if(records, &VerifyRecord::holds), records.size(), overview(records));
+      "# Verification and validation\n\nWritten by `sabo verify` on {}. {} of {} cases pass, each "
+      "method counted.\n\n{}",
+      fmt::join(machines(records), ", "), std::ranges::count_if(records, &VerifyRecord::holds),
+      records.size(), overview(records));
   for (const Verification& verification : verifications()) {
     CaseRecords of_case;
     for (const VerifyRecord& record : records)

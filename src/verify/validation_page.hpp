@@ -7,7 +7,7 @@
 
 namespace sabo {
 
-/// The records as a page in Markdown, for the documentation: program, machine and date; for each
+/// The records as a page in Markdown, for the documentation: machines; for each
 /// case its claims with both methods side by side, its pictures, which lie beside the page, and
 /// remarks.
 std::string validation_markdown(const std::vector<VerifyRecord>& records);

@@ -66,10 +66,11 @@ TEST(Phrases, EveryTextIsUsed) {
 }
 
 TEST(Phrases, PutsArgumentsInTheirPlaces) {
-  EXPECT_EQ(Phrases(Language::en)("summary.arrival", "the {dam}", "3.5"),
+  const Phrases phrases(Language::en);
+  EXPECT_EQ(phrases("summary.arrival", "the {dam}", "3.5"),
             "It arrived at “the {dam}” after 3.5 s. ");
-  EXPECT_THROW(Phrases(Language::en)("summary.nothing"), RunError);
-  EXPECT_THROW(Phrases(Language::en)("summary"), RunError);
+  EXPECT_THROW(phrases("summary.nothing"), RunError);
+  EXPECT_THROW(phrases("summary"), RunError);
 }
 
 TEST(Phrases, EveryLawHasItsSource) {

@@ -25,6 +25,8 @@ VerifyRecord made_record() {
   record.verdict.remarks = {"of a µ & <b>"};
   record.seconds = 12.5;
   record.date = "2026-01-02T03:04:05Z";
+  record.version = "0.1.0+gabc";
+  record.machine = "An & B";
   return record;
 }
 
@@ -45,17 +47,58 @@ TEST(VerifyRecord, IsReadBackAsItWasWritten) {
   EXPECT_EQ(read->pictures, written.pictures);
   EXPECT_EQ(read->date, written.date);
   EXPECT_EQ(read->seconds, 12.5);
+  EXPECT_EQ(read->version, written.version);
+  EXPECT_EQ(read->machine, written.machine);
   EXPECT_FALSE(read->holds());
   EXPECT_FALSE(read_record(folder / "new", "slab", Method::fast, Effort::quick));
   EXPECT_FALSE(read_record(folder / "new", "slab", Method::paper, Effort::full));
 }
 
-TEST(VerifyRecord, OfAnotherProgramOrDamagedIsNoRecord) {
+TEST(VerifyRecord, SaysWhetherThisProgramMadeIt) {
+  const TemporaryFolder folder;
+  VerifyRecord record = made_record();
+  for (const bool is_current : {true, false}) {
+    record.is_current = is_current;
+    write_record(record, folder / "");
+    const auto read = read_record(folder / "", "slab", Method::paper, Effort::quick);
+    ASSERT_TRUE(read);
+    EXPECT_EQ(read->is_current, is_current);
+  }
+}
+
+TEST(VerifyRecord, DamagedIsNoRecord) {
   const TemporaryFolder folder;
   for (const char* text : {"program = \"00000000\"\n", "version = ", "", "claim = 3"}) {
     folder.write("slab-fast-full.toml", text);
     EXPECT_FALSE(read_record(folder / "", "slab", Method::fast, Effort::full)) << text;
   }
+}
+
+TEST(VerifyRecord, LeavesNoPicturesOfAnEarlierRun) {
+  const TemporaryFolder folder;
+  VerifyRecord record = made_record();
+  record.verdict.charts.resize(3, record.verdict.charts[0]);
+  write_record(record, folder / "");
+  ASSERT_TRUE(std::filesystem::exists(folder / "slab-paper-quick-3.svg"));
+  record.verdict.charts.resize(1);
+  write_record(record, folder / "");
+  EXPECT_TRUE(std::filesystem::exists(folder / "slab-paper-quick-1.svg"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "slab-paper-quick-2.svg"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "slab-paper-quick-3.svg"));
+}
+
+TEST(VerifyRecord, AreReadInTheOrderOfTheCasesWhoeverRanThem) {
+  const TemporaryFolder folder;
+  VerifyRecord record = made_record();
+  for (const char* name : {"slab", "hydrostatic"}) {
+    record.name = name;
+    write_record(record, folder / "");
+  }
+  const auto records = read_records(folder / "", Effort::quick);
+  ASSERT_EQ(records.size(), 2u);
+  EXPECT_EQ(records[0].name, "hydrostatic");
+  EXPECT_EQ(records[1].version, "0.1.0+gabc");
+  EXPECT_TRUE(read_records(folder / "", Effort::full).empty());
 }
 
 TEST(VerifyRecord, KeepsWhyACaseFailed) {
@@ -85,6 +128,15 @@ TEST(VerifyReport, EscapesTextOnItsPage) {
   const TemporaryFolder folder;
   write_verify_page({made_record()}, folder / "");
   EXPECT_THAT(folder.read("index.html"), HasSubstr("&lt;b&gt;"));
+  EXPECT_THAT(folder.read("index.html"), HasSubstr("An &amp; B"));
+}
+
+TEST(VerifyReport, SaysOfWhichVersionEachResultIs) {
+  const TemporaryFolder folder;
+  write_verify_page({made_record()}, folder / "");
+  EXPECT_THAT(folder.read("validation.md"),
+              HasSubstr("| `paper` | 1 of 3 | 12 | 0.1.0+gabc | 2026-01-02 | FAIL |"));
+  EXPECT_THAT(folder.read("verify.json"), HasSubstr(R"("version": "0.1.0+gabc")"));
 }
 
 }  // namespace
