@@ -49,6 +49,13 @@ std::vector<const Claim*> all_claims(const CaseRecords& records) {
   return list;
 }
 
+/// What a method measured, with its own gate where that is not the one of the row.
+std::string outcome(const Claim& measured, const Claim& row) {
+  std::string text = measured_text(measured);
+  if (gate_text(measured) != gate_text(row)) text += fmt::format(" ({})", gate_text(measured));
+  return measured.holds() ? text : fmt::format("**{}, fails**", text);
+}
+
 std::string claims_table(const CaseRecords& records) {
   std::string header = "| | gate |", rule = "|---|---|", rows;
   for (const VerifyRecord* record : records) {
@@ -59,9 +66,7 @@ std::string claims_table(const CaseRecords& records) {
     rows += fmt::format("| {} | {} |", cell(claim->what), gate_text(*claim));
     for (const VerifyRecord* record : records) {
       const Claim* measured = find_claim(*record, claim->what);
-      rows += !measured           ? std::string(" |")
-              : measured->holds() ? fmt::format(" {} |", measured_text(*measured))
-                                  : fmt::format(" **{}, fails** |", measured_text(*measured));
+      rows += measured ? fmt::format(" {} |", outcome(*measured, *claim)) : " |";
     }
     rows += "\n";
   }

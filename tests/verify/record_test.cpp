@@ -139,5 +139,16 @@ TEST(VerifyReport, SaysOfWhichVersionEachResultIs) {
   EXPECT_THAT(folder.read("verify.json"), HasSubstr(R"("version": "0.1.0+gabc")"));
 }
 
+TEST(VerifyReport, SaysWhereTheGateOfAMethodIsAnother) {
+  VerifyRecord fast = made_record(), paper = made_record();
+  fast.method = Method::fast;
+  paper.verdict.claims = {Claim::within_share("speed \"x\"", "m/s", 3, 2, 0.05)};
+  const TemporaryFolder folder;
+  write_verify_page({fast, paper}, folder / "");
+  EXPECT_THAT(folder.read("validation.md"),
+              HasSubstr("| speed \"x\" | within 5 % of 2.353 m/s | 2.42 m/s | **3 m/s (within 5 % "
+                        "of 2 m/s), fails** |"));
+}
+
 }  // namespace
 }  // namespace sabo
