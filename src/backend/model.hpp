@@ -49,7 +49,7 @@ struct FlowModel {
   WallShear wall = NoSlip{};                                       ///< of the implicit method
   bool as_printed = false;
   double crowding_tolerance = 0.03;  ///< of the implicit method: filling beyond density
-  bool tension_at_surface = false;   ///< of the implicit method: pressure may be negative there
+  bool tension_at_surface = true;    ///< of the implicit method: pressure may be negative there
   double particle_shifting = 0;      ///< of the implicit method, see docs/method.md; 0: none
   SleepRule sleep;                   ///< of the implicit method, for laws with a yield stress
   bool walls_move = false;           ///< boundary particles may have velocities

@@ -15,6 +15,13 @@ struct Words<Method> {
   static constexpr std::array<std::string_view, 2> list{"fast", "paper"};
 };
 
+/// Which fluids bear tension beside the air.
+enum class SurfaceTension { by_law, borne, none };
+template <>
+struct Words<SurfaceTension> {
+  static constexpr std::array<std::string_view, 3> list{"by_law", "borne", "none"};
+};
+
 enum class WallLaw { no_slip, coulomb, voellmy, slip };
 template <>
 struct Words<WallLaw> {
@@ -55,7 +62,7 @@ struct NumericsCase {
   double sleep_speed = 0.005;
   double sleep_time = 0.5;
   double crowding_tolerance = 0.03;
-  bool tension_at_surface = false;
+  SurfaceTension tension_at_surface = SurfaceTension::by_law;
   double particle_shifting = 0;
   double gravity = 9.81;
 
@@ -167,8 +174,8 @@ struct NumericsCase {
           .at_most(1),
       crowding_tolerance);
     v(Key{"tension_at_surface", "",
-          "fast: near a free surface, too, pressure may be negative, as density gives it, which "
-          "draws a jet round the edge of what it strikes; false: only inside of the flow"},
+          "fast: whether pressure may be negative near a free surface too (borne) or only inside "
+          "of the flow (none); by_law: borne by laws with a yield stress"},
       tension_at_surface);
     v(Key{"particle_shifting", "",
           "fast: inside of the flow particles are shifted to more even places, by this times h^2, "

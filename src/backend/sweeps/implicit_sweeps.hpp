@@ -95,15 +95,14 @@ struct FindDiffusionBackground {
 /// free surface, where the two differ by more than disorder explains. A place that is too empty
 /// only takes pressure away, it does not pull.
 SABO_HD inline double held_to_places(const FlowView& flow, double density, std::size_t i,
-                                     double catch_up) {
+                                     double borne, double catch_up) {
   const Filling& filling = flow.filling[i];
   const double rho0 = flow.model.state.rho0;
   const double slack = flow.model.crowding_tolerance * rho0;
   const double placed =
       rho0 * filling.share * flow.half_space->completion(norm(filling.gradient) / filling.share);
   // A fluid that tears does not remember by how much.
-  const double torn = 1 - borne_tension(flow.model, flow.support[i]);
-  const double least = placed + torn * larger(rho0 - placed, 0.0) - slack;
+  const double least = placed + (1 - borne) * larger(rho0 - placed, 0.0) - slack;
   if (density < least) return density + catch_up * (least - density);
   const double most = larger(rho0, placed + slack);
   return density > most ? density + catch_up * (most - density) : density;
@@ -138,20 +137,20 @@ struct AdvanceState {
     const Tait& state = flow.model.state;
     const double before = fluid.density[i];
     const double moved = advanced_density(before, before, flow.density_rate[i], dt);
+    const double borne = borne_tension(flow.model, flow.support[i]);
     // Nothing presses on a particle by itself.
     const double held =
-        flow.has_neighbours[i] ? held_to_places(flow, moved, i, catch_up) : state.rho0;
+        flow.has_neighbours[i] ? held_to_places(flow, moved, i, borne, catch_up) : state.rho0;
     fluid.density[i] = held;
     const double mean = 0.5 * (before + moved);
     const double mass = fluid.mass[i];
     if (flow.model.artificial_viscosity > 0) sum.artificial += mass * flow.artificial_heat[i];
-    sum.diffusion += -mass * state.pressure(mean) / (mean * mean) * dt * flow.diffusion_rate[i];
-    sum.hold += mass * (state.elastic_energy(moved) - state.elastic_energy(held));
+    const double pressure = borne_pressure(state, mean, borne);
+    sum.diffusion += -mass * pressure / (mean * mean) * dt * flow.diffusion_rate[i];
+    sum.hold += mass * (borne_energy(state, moved, borne) - borne_energy(state, held, borne));
     fluid.position[i] += dt * fluid.velocity[i];
     fluid.calm[i] = is_calm(flow, i) ? fluid.calm[i] + dt : 0;
-    fluid.pressure[i] = state.pressure(fluid.density[i]);
-    // Beside the air a fluid tears.
-    if (fluid.pressure[i] < 0) fluid.pressure[i] *= borne_tension(flow.model, flow.support[i]);
+    fluid.pressure[i] = borne_pressure(state, fluid.density[i], borne);
   }
 };
 

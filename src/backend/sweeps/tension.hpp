@@ -13,4 +13,15 @@ SABO_HD inline double borne_tension(const FlowModel& model, double support) {
   return model.tension_at_surface ? 1 : std::clamp((support - none) / (all - none), 0.0, 1.0);
 }
 
+/// Pressure of a density, and the energy that it stores in a mass, J/kg, where a share of tension
+/// is borne: what is torn neither pulls nor stores anything.
+SABO_HD inline double borne_pressure(const Tait& state, double density, double borne) {
+  const double pressure = state.pressure(density);
+  return pressure < 0 ? borne * pressure : pressure;
+}
+SABO_HD inline double borne_energy(const Tait& state, double density, double borne) {
+  const double energy = state.elastic_energy(density);
+  return density < state.rho0 ? borne * energy : energy;
+}
+
 }  // namespace sabo
