@@ -1,13 +1,17 @@
 // A plane jet of water without weight strikes a wide plate and is turned aside: the force on the
 // plate is the momentum that the jet carries in a time, F = rho b u^2 per metre across (Batchelor
-// 1967, section 6.3).
+// 1967, section 6.3), the pressure on it that of free streamlines (direct impact of a jet,
+// Milne-Thomson, Theoretical Hydrodynamics, chapter XI).
 
+#include <array>
 #include <cmath>
+#include <numbers>
 
 #include "verify/cases.hpp"
 #include "verify/water.hpp"
 #include <fmt/format.h>
 
+#include "analysis/probes.hpp"
 #include "solver/flow_model.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -25,8 +29,22 @@ constexpr double plateau_start = 3 * turn, plateau_end = 8 * turn, end = 9 * tur
 // under tension until a density leaves its range.
 constexpr double artificial_viscosity = 0.05;
 
+constexpr std::array places{0.0, 0.5, 1.0};  // on the plate, from its middle, over the thickness
+
+/// Pressure on the plate over rho u^2 / 2. Along it the jet has the speed q u at
+/// x/b = 2/pi (artanh q + arctan q), and p = 1 - q^2. Its sum is 2 b, which is F = rho b u^2.
+double exact_pressure(double place) {
+  double low = 0, high = 1;
+  for (int k = 0; k < 60; ++k) {
+    const double q = 0.5 * (low + high);
+    (2 / std::numbers::pi * (std::atanh(q) + std::atan(q)) < place ? low : high) = q;
+  }
+  return 1 - low * low;
+}
+
 struct Strike {
-  TimeIntegral force;   ///< on the plate, per metre across
+  TimeIntegral force;                                     ///< on the plate, per metre across
+  std::array<TimeIntegral, places.size()> pressure = {};  ///< at both sides, their mean
   double momentum = 0;  ///< that the jet had towards the plate, kg m/s
   double kept = 0;      ///< that it still has in the end
   double lost() const { return momentum - kept; }
@@ -59,8 +77,16 @@ Strike simulated(const VerifySettings& settings, int layers, double density,
   Strike strike;
   strike.momentum = momentum_down(fluid);
   const auto stepper = make_stepper(numerics, *backend, nullptr);
+  const auto kernel = model.kernel<double>();
+  const auto pressure = [&](double x) {
+    return pressure_at(fluid, {x, 0, 0}, kernel, model.gravity);
+  };
   const auto keep = [&](double time) {
     strike.force.set(time, -stepper->body_impulses()[0].force.z);
+    for (std::size_t k = 0; k < places.size(); ++k) {
+      const double x = places[k] * thickness;
+      strike.pressure[k].go_on(time, 0.5 * (pressure(x) + pressure(-x)));
+    }
   };
   run_until(*stepper, end, keep, on_progress);
   strike.kept = momentum_down(fluid);
@@ -95,6 +121,11 @@ Verdict verify_jet(const VerifySettings& settings) {
     verdict.claims.push_back(
         Claim::within_share(fmt::format("b/dp {}: impulse, of the momentum lost", layers), "N s/m",
                             strike.force.integral(0, end), strike.lost(), 0.02));
+    for (std::size_t k = 0; k < places.size(); ++k)
+      verdict.claims.push_back(Claim::within(
+          fmt::format("b/dp {}: pressure on the plate at {:g} b, over ρ u²/2", layers, places[k]),
+          "", strike.pressure[k].mean(plateau_start, plateau_end) / (0.5 * expected / thickness),
+          exact_pressure(places[k]), settings.is_quick() ? 0.08 : 0.05));
     chart.series.push_back(strike.force.series(fmt::format("b/dp {}", layers), 0.1 * turn, end));
   }
   const double more = settings.is_quick() ? 0.2 : 0.1;
