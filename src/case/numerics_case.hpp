@@ -16,9 +16,9 @@ struct Words<Method> {
 };
 
 /// Which fluids bear tension beside the air.
-enum class SurfaceTension { by_law, borne, none };
+enum class TensionAtSurface { by_law, borne, none };
 template <>
-struct Words<SurfaceTension> {
+struct Words<TensionAtSurface> {
   static constexpr std::array<std::string_view, 3> list{"by_law", "borne", "none"};
 };
 
@@ -62,7 +62,7 @@ struct NumericsCase {
   double sleep_speed = 0.005;
   double sleep_time = 0.5;
   double crowding_tolerance = 0.03;
-  SurfaceTension tension_at_surface = SurfaceTension::by_law;
+  TensionAtSurface tension_at_surface = TensionAtSurface::by_law;
   double particle_shifting = 0;
   double gravity = 9.81;
 

@@ -25,8 +25,8 @@ WallShear wall_shear(const NumericsCase& numerics) {
 
 /// Grains that fly apart push each other only, and the noise of pressure then drives the front of a
 /// slump: columns of grains ran out 40 % too far (docs/method.md, Tension).
-bool bears_tension(SurfaceTension tension, const Rheology& law) {
-  return tension == SurfaceTension::by_law ? has_yield(law) : tension == SurfaceTension::borne;
+bool bears_tension(TensionAtSurface tension, const Rheology& law) {
+  return tension == TensionAtSurface::by_law ? has_yield(law) : tension == TensionAtSurface::borne;
 }
 
 }  // namespace

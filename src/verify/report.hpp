@@ -23,7 +23,7 @@ std::set<std::string> machines(const std::vector<VerifyRecord>& records);
 /// What a case found, for the terminal: a line for the case, one for each claim, its remarks.
 std::string text_of(const VerifyRecord& record);
 
-/// All cases as JSON: for each its program, its claims with value, gate and outcome.
+/// All cases as JSON: of each the program that ran it, its claims with value, gate and outcome.
 std::string json_of(const std::vector<VerifyRecord>& records);
 
 /// Writes index.html to the folder that holds the records and their pictures; returns its path.

@@ -5,7 +5,7 @@
 namespace sabo {
 namespace {
 
-bool bears(SurfaceTension tension, const Rheology& law) {
+bool bears(TensionAtSurface tension, const Rheology& law) {
   NumericsCase numerics;
   numerics.spacing = 1;
   numerics.tension_at_surface = tension;
@@ -15,10 +15,10 @@ bool bears(SurfaceTension tension, const Rheology& law) {
 }
 
 TEST(FlowModel, BearsTensionBesideTheAirByItsLawOrAsIsAsked) {
-  EXPECT_TRUE(bears(SurfaceTension::by_law, Cross{}));
-  EXPECT_FALSE(bears(SurfaceTension::by_law, Newtonian{}));
-  EXPECT_TRUE(bears(SurfaceTension::borne, Newtonian{}));
-  EXPECT_FALSE(bears(SurfaceTension::none, Cross{}));
+  EXPECT_TRUE(bears(TensionAtSurface::by_law, Cross{}));
+  EXPECT_FALSE(bears(TensionAtSurface::by_law, Newtonian{}));
+  EXPECT_TRUE(bears(TensionAtSurface::borne, Newtonian{}));
+  EXPECT_FALSE(bears(TensionAtSurface::none, Cross{}));
 }
 
 }  // namespace

@@ -250,7 +250,7 @@ void check_switches(const NumericsCase& numerics, Faults& faults) {
     if (numerics.particle_shifting > 0)
       faults.add("numerics.particle_shifting", "applies to method \"fast\" only",
                  "remove it, or choose method = \"fast\"");
-    if (numerics.tension_at_surface != SurfaceTension::by_law)
+    if (numerics.tension_at_surface != TensionAtSurface::by_law)
       faults.add("numerics.tension_at_surface", "applies to method \"fast\" only",
                  "remove it, or choose method = \"fast\"");
     return;

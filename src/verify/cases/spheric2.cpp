@@ -149,14 +149,13 @@ Verdict verify_spheric2(const VerifySettings& settings) {
       fmt::format("Artificial viscosity {:g}; pressures are means over the kernel about the probes",
                   water_artificial_viscosity),
       "P1: the stream that strikes the box is thinner and faster than the measured one, see H2 "
-      "from "
-      "0.5 to 1.2 s, and its head is what presses. It is not the spacing: in the plane of the "
-      "middle P1 "
-      "is 5.66 kPa at 0.6 s with 0.0183 and with 0.0092 m, and the head grows towards the box as "
+      "from 0.5 to 1.2 s, and its head is what presses. It is not the spacing: in the plane of the "
+      "middle P1 is 5.66 kPa at 0.6 s with 0.0183 and with 0.0092 m, and the head grows towards "
       "the "
-      "stream is slowed down. Nor is it how a blow is computed: see the pressures of the jet. No "
-      "loss at "
-      "the floor of the tank and no air are simulated; which of them it is, is not known"};
+      "box as the stream is slowed down. Nor is it how a blow is computed: see the pressures of "
+      "the "
+      "jet. No loss at the floor of the tank and no air are simulated; which of them it is, is not "
+      "known"};
   return verdict;
 }
 
