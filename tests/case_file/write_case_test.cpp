@@ -195,6 +195,7 @@ Case arbitrary_case() {
   c.numerics.viscous_operator = chance() ? ViscousOperator::nested : ViscousOperator::morris;
   make_consistent(c.numerics);
   c.run.describe(Randomise{});
+  if (c.run.checkpoint_interval == 0) c.run.kept_checkpoint_interval = 0;  // of none, none are kept
   return c;
 }
 
