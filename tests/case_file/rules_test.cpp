@@ -289,10 +289,15 @@ TEST(Rules, WithoutGravityASpeedIsNeeded) {
 TEST(Rules, OutputsAreNotWithoutBound) {
   EXPECT_THAT(messages(with(smallest_case, "duration = 10",
                             "duration = 1e6\noutput_interval = 1\nseries_interval = 0.01")),
-              ElementsAre("case.toml:8 run.output_interval: makes more than 100000 outputs; "
+              ElementsAre("case.toml:8 run.output_interval: makes more than 100000 frames; "
                           "give at least 10 s",
-                          "case.toml:9 run.series_interval: makes more than 1e7 outputs; "
+                          "case.toml:9 run.series_interval: makes more than 1e7 rows; "
                           "give at least 0.1 s"));
+  EXPECT_THAT(
+      messages(
+          with(smallest_case, "duration = 10", "duration = 1e4\nkept_checkpoint_interval = 1")),
+      ElementsAre("case.toml:8 run.kept_checkpoint_interval: makes more than 1000 checkpoints; "
+                  "give at least 10 s"));
 }
 
 TEST(Rules, KeysOfOneMethodAreRefusedByTheOther) {

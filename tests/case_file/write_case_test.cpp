@@ -157,6 +157,12 @@ void make_consistent(NumericsCase& numerics) {
   }
 }
 
+/// Of no checkpoints none are kept, and of many not too many.
+void make_consistent(RunCase& run) {
+  if (run.checkpoint_interval == 0) run.kept_checkpoint_interval = 0;
+  if (run.kept_checkpoint_interval != 0) run.kept_checkpoint_interval += 0.1;
+}
+
 Case arbitrary_case() {
   Case c;
   c.folder = folder_with_files();
@@ -195,7 +201,7 @@ Case arbitrary_case() {
   c.numerics.viscous_operator = chance() ? ViscousOperator::nested : ViscousOperator::morris;
   make_consistent(c.numerics);
   c.run.describe(Randomise{});
-  if (c.run.checkpoint_interval == 0) c.run.kept_checkpoint_interval = 0;  // of none, none are kept
+  make_consistent(c.run);
   return c;
 }
 

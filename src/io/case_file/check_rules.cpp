@@ -15,10 +15,6 @@
 namespace sabo {
 namespace {
 
-constexpr double max_frames = 1e5;
-constexpr double max_rows = 1e7;
-constexpr double max_checkpoints = 1000;
-
 void check_crop(const TerrainCase& terrain, Faults& faults) {
   if (!terrain.crop) return;
   const auto& [west, south, east, north] = *terrain.crop;
@@ -281,11 +277,20 @@ void check_numerics(const NumericsCase& numerics, Faults& faults) {
   }
 }
 
-void check_interval(double interval, const std::string& key, double max_count, double duration,
+/// Of one of the intervals of a run: how many of what it makes is too many.
+struct MostOutputs {
+  double count;
+  const char* name;
+};
+constexpr MostOutputs most_frames{1e5, "frames"}, most_rows{1e7, "rows"},
+    most_checkpoints{1000, "checkpoints"};
+
+void check_interval(double interval, const char* name, const MostOutputs& most, double duration,
                     Faults& faults) {
-  if (duration <= interval * max_count || faults.has("run." + key)) return;
-  faults.add("run." + key, fmt::format("makes more than {} outputs", short_text(max_count)),
-             fmt::format("give at least {} s", short_text(duration / max_count)));
+  const std::string key = fmt::format("run.{}", name);
+  if (duration <= interval * most.count || faults.has(key)) return;
+  faults.add(key, fmt::format("makes more than {} {}", short_text(most.count), most.name),
+             fmt::format("give at least {} s", short_text(duration / most.count)));
 }
 
 void check_checkpoints(const RunCase& run, Faults& faults) {
@@ -293,7 +298,7 @@ void check_checkpoints(const RunCase& run, Faults& faults) {
   if (run.checkpoint_interval == 0)
     faults.add("run.kept_checkpoint_interval", "no checkpoints are written",
                "give checkpoint_interval a number above 0");
-  check_interval(run.kept_checkpoint_interval, "kept_checkpoint_interval", max_checkpoints,
+  check_interval(run.kept_checkpoint_interval, "kept_checkpoint_interval", most_checkpoints,
                  run.duration, faults);
 }
 
@@ -329,8 +334,8 @@ void check_rules(const Case& c, Faults& faults) {
   check_observed(c.observed, faults);
   check_concentration(c.material, faults);
   check_numerics(c.numerics, faults);
-  check_interval(c.run.output_interval, "output_interval", max_frames, c.run.duration, faults);
-  check_interval(c.run.series_interval, "series_interval", max_rows, c.run.duration, faults);
+  check_interval(c.run.output_interval, "output_interval", most_frames, c.run.duration, faults);
+  check_interval(c.run.series_interval, "series_interval", most_rows, c.run.duration, faults);
   check_checkpoints(c.run, faults);
 }
 
