@@ -205,10 +205,9 @@ Verdict verify_hydrostatic(const VerifySettings& settings) {
         "speed: whole rows of the square lattice slide over each other after 2 s, their heights "
         "unchanged");
     verdict.remarks.push_back(
-        "box: the water circulates along the slope and stands higher than its volume tells. At "
-        "H/25 it does so at 0.02 √(gH), without the hold of density to the places of particles at "
-        "0.1 √(gH); the same without the weight in the wall's pressure and without what walls hand "
-        "back. The cause is not known");
+        "box: the rows settle into another order for some seconds; whatever moves then is slowed "
+        "by "
+        "little but the artificial viscosity");
   }
   settings.on_progress(1);
   return verdict;

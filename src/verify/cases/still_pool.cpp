@@ -115,10 +115,14 @@ StillPool box_pool(const FlowModel& model, double depth) {
   const int rim = cells_in(1.2 * depth, dp), corner = cells_in(width * slope, dp) - 2 * layers;
   add_block(backend->boundary(), model, {-layers, 0, 0, across, -2 * layers, rim});
   add_block(backend->boundary(), model, {columns, columns + layers, 0, across, corner, rim});
-  // Half a spacing off the slope.
-  const double gap = 0.5 * dp * std::sqrt(1 + slope * slope);
-  fill(*backend, {0, columns, 0, across, 0, cells_in(depth, dp)},
-       [&](const Vec3d& x) { return x.z > x.x * slope + gap; });
+  // Columns that stand on the slope, as those of a release do. Cells of one lattice for all leave
+  // voids along it: what they give up in falling there moves them for long, and the water breathes.
+  for (int i = 0; i < columns; ++i) {
+    const double x = (i + 0.5) * dp, foot = x * slope;
+    for (int j = 0; j < across; ++j)
+      for (int k = 0; k < cells_in(depth - foot, dp); ++k)
+        add_particle(backend->fluid(), model, {x, (j + 0.5) * dp, foot + (k + 0.5) * dp});
+  }
   const double area = width * across * dp;
   return levelled(std::move(backend), 0.5 * slope * width * area, area);
 }
