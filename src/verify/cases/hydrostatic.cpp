@@ -1,11 +1,12 @@
 // Fluids at rest: the pressure is the weight above, nothing moves, and the density is what the
 // equation of state makes of the pressure at the stated speed of sound.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "verify/cases.hpp"
 #include "verify/cases/still_pool.hpp"
-#include "verify/profile.hpp"
 #include <fmt/format.h>
 
 #include "solver/make_stepper.hpp"
@@ -25,6 +26,7 @@ struct Variant {
   MohrCoulomb yield = {};
   double true_density = density;  ///< of what is in the pool, kg/m3
 
+  std::string title() const { return fmt::format("{}, H/{}", name, cells); }
   bool is_flat() const { return shape == Shape::column || shape == Shape::wedge; }
 };
 
@@ -50,7 +52,7 @@ struct Outcome {
   double surface_drift = 0;    ///< m
   double density_error = 0;    ///< greatest, over the reference density
   double speed = 0;            ///< greatest in the second half, m/s
-  ChartSeries profile = {};    ///< pressure over height
+  ChartSeries profile = {};    ///< error of the pressure over height
 };
 
 double exact_pressure(double below_surface) { return density * g * below_surface; }
@@ -78,15 +80,32 @@ double bottom_pressure(const StillPool& pool) {
   return sum / exact;
 }
 
+/// Means over layers of the pressure less the exact one, over the greatest exact one, %.
+ChartSeries error_profile(const StillPool& pool) {
+  constexpr int layers = 20;
+  std::array<double, layers> sums{}, counts{};
+  const Particles& fluid = pool.backend->fluid();
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
+    const double z = fluid.position[i].z;
+    const int layer = std::clamp(static_cast<int>(layers * z / depth), 0, layers - 1);
+    sums[layer] += fluid.pressure[i] - exact_pressure(pool.level - z);
+    ++counts[layer];
+  }
+  ChartSeries profile;
+  for (int k = 0; k < layers; ++k) {
+    if (counts[k] == 0) continue;
+    profile.x.push_back((k + 0.5) * depth / layers);
+    profile.y.push_back(100 * sums[k] / counts[k] / exact_pressure(depth));
+  }
+  return profile;
+}
+
 void measure(const StillPool& pool, Outcome& outcome) {
   const Particles& fluid = pool.backend->fluid();
   // The stated speed of sound is 10 sqrt(g depth); Tait's equation the other way round.
   const double b = density * 100 * g * depth / 7;
   double difference = 0, size = 0, top = -1;
-  std::vector<std::size_t> order(fluid.size());
-  std::iota(order.begin(), order.end(), 0);
-  std::ranges::sort(order, {}, [&](std::size_t i) { return fluid.position[i].z; });
-  for (const std::size_t i : order) {
+  for (std::size_t i = 0; i < fluid.size(); ++i) {
     const double exact = exact_pressure(pool.level - fluid.position[i].z);
     difference += (fluid.pressure[i] - exact) * (fluid.pressure[i] - exact);
     size += exact * exact;
@@ -94,11 +113,10 @@ void measure(const StillPool& pool, Outcome& outcome) {
     const double exact_density = density * std::pow(1 + std::max(0.0, exact) / b, 1.0 / 7);
     outcome.density_error =
         std::max(outcome.density_error, std::abs(fluid.density[i] - exact_density) / density);
-    outcome.profile.x.push_back(fluid.position[i].z);
-    outcome.profile.y.push_back(fluid.pressure[i]);
   }
   outcome.pressure_error = std::sqrt(difference / size);
   outcome.bottom_pressure = bottom_pressure(pool);
+  outcome.profile = error_profile(pool);
   outcome.surface_drift = top + 0.5 * pool.backend->model().spacing - pool.level;
 }
 
@@ -123,7 +141,7 @@ Outcome run(const Variant& variant, double end, const VerifySettings& settings,
     on_progress(double(k) / points);
   }
   measure(pool, outcome);
-  outcome.profile.name = variant.name;
+  outcome.profile.name = variant.title();
   return outcome;
 }
 
@@ -180,7 +198,11 @@ Verdict verify_hydrostatic(const VerifySettings& settings) {
   double work = 0, done = 0;
   for (const Variant& variant : list) work += work_of(variant);
   Verdict verdict;
-  LineChart chart{"Pressure at rest", "height [m]", "pressure [Pa]"};
+  const auto chart_of = [](const std::string& pools) {
+    return LineChart{"Error of the pressure at rest, " + pools, "height [m]",
+                     "error over ρ g H, means of layers [%]"};
+  };
+  LineChart flat = chart_of("flat floors and a wedge"), dems = chart_of("DEMs");
   for (const Variant& variant : list) {
     const double part = work_of(variant) / work;
     Outcome outcome = run(variant, end, settings, [&](double share) {
@@ -188,12 +210,11 @@ Verdict verify_hydrostatic(const VerifySettings& settings) {
     });
     done += part;
     add_claims(variant, outcome, end, verdict);
-    outcome.profile.has_line = false;
     outcome.profile.has_markers = true;
-    chart.series.push_back(std::move(outcome.profile));
+    (variant.is_flat() ? flat : dems).series.push_back(std::move(outcome.profile));
   }
-  chart.series.push_back({"ρ g (H - z)", {0, depth}, {exact_pressure(depth), 0}});
-  verdict.charts.push_back(std::move(chart));
+  for (LineChart* chart : {&flat, &dems})
+    if (!chart->series.empty()) verdict.charts.push_back(std::move(*chart));
   Variant heavy = list.front();
   heavy.true_density = 1.03 * density;
   verdict.claims.push_back(Claim::at_least("a fluid 3 % denser: L2 error of the pressure", "",
