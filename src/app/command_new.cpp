@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "app/commands.hpp"
+#include "base/shell_word.hpp"
 #include "io/case_file/templates.hpp"
 #include "run/new_case.hpp"
 
@@ -25,7 +26,8 @@ int make_case(const NewOptions& options) {
     files.insert(entry.path().filename().string());
   }
   fmt::print("Wrote {}: {}\n", options.folder, fmt::join(files, ", "));
-  fmt::print("Look at case.toml, then\n  sabo check {0}\n  sabo run {0}\n", options.folder);
+  fmt::print("Look at case.toml, then\n  sabo check {0}\n  sabo run {0}\n",
+             shell_word(options.folder));
   return exit_done;
 }
 

@@ -12,6 +12,7 @@
 #include "app/progress_display.hpp"
 #include "app/stop_signals.hpp"
 #include "base/error.hpp"
+#include "base/shell_word.hpp"
 #include "run/load_case.hpp"
 #include "run/simulation.hpp"
 
@@ -39,13 +40,14 @@ int report(const RunResult& result, const std::filesystem::path& folder, bool ha
   for (const std::string& line : result.summary) fmt::print("{}\n", line);
   if (!result.index.empty())
     fmt::print("Open {}\nFor a report: sabo report {}\n", result.index.string(),
-               result.index.parent_path().string());
+               shell_word(result.index.parent_path().string()));
   std::fflush(stdout);
   switch (result.end) {
     case RunEnd::finished:
       return exit_done;
     case RunEnd::interrupted:
-      if (has_checkpoint) fmt::print("To go on: sabo run {} --resume\n", folder.string());
+      if (has_checkpoint)
+        fmt::print("To go on: sabo run {} --resume\n", shell_word(folder.string()));
       std::fflush(stdout);
       return exit_stopped;
     case RunEnd::failed:
