@@ -214,11 +214,14 @@ std::vector<std::string> summary_lines(const RunFacts& facts, const Case& c, con
                               percent(facts.raster_volume, facts.particle_volume)));
   if (!rows.empty()) {
     const EnergyBalance energy = balance_of(rows);
+    const auto tenths = [&](double part) {
+      return std::round(1000 * energy.share(part)) / 10 + 0.0;  // which makes -0 a 0
+    };
     lines.push_back(
         fmt::format("Potential energy given up {:.4g} J: {:.1f} % by friction and viscosity, "
                     "{:.1f} % by the scheme itself, {:.2f} % {}",
-                    energy.released, 100 * energy.share(energy.dissipated),
-                    100 * energy.share(energy.numerical), 100 * std::abs(energy.imbalance()),
+                    energy.released, tenths(energy.dissipated), tenths(energy.numerical),
+                    100 * std::abs(energy.imbalance()),
                     energy.imbalance() > 0 ? "too much is there" : "missing"));
     if (std::abs(energy.imbalance()) > doubtful_imbalance)
       lines.push_back("  energy is not accounted for: try a smaller numerics.spacing and compare");

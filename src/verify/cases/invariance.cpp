@@ -189,16 +189,19 @@ Verdict verify_invariance(const VerifySettings& settings) {
   const double end = 1.5;  // s; it has come to rest
   const std::vector<View> views{plain, turned, far, reference, stiff};
   LineChart chart{"Fronts of jittered starts", "start", "front [m]"};
+  chart.has_zero = false;
   std::vector<Mean> means;
   int done = 0;
   for (const View& view : views) {
     std::vector<double> fronts;
     ChartSeries series{view.name};
+    // Points of one start stand beside each other.
+    const double aside = 0.12 * (static_cast<double>(chart.series.size()) - 2);
     for (int member = 1; member <= members; ++member) {
       Slump slump(view, settings, member);
       slump.run_to(end);
       fronts.push_back(slump.front());
-      series.x.push_back(member);
+      series.x.push_back(member + aside);
       series.y.push_back(fronts.back());
       settings.on_progress(static_cast<double>(++done) /
                            static_cast<double>(members * views.size()));
