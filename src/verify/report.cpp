@@ -51,12 +51,9 @@ PageTable table_of(const VerifyRecord& record) {
 PageTable overview(const std::vector<VerifyRecord>& records) {
   PageTable table{"Cases", {"", "claims met", "time [s]", "version", "date", "outcome"}, {}};
   for (const VerifyRecord& record : records) {
-    const auto& claims = record.verdict.claims;
-    table.rows.push_back(
-        {title_of(record),
-         fmt::format("{} of {}", std::ranges::count_if(claims, &Claim::holds), claims.size()),
-         fmt::format("{:.0f}", record.seconds), record.version, record.date.substr(0, 10),
-         std::string(outcome_text(record.holds()))});
+    table.rows.push_back({title_of(record), claims_met_text(record.verdict),
+                          fmt::format("{:.0f}", record.seconds), record.version,
+                          record.date.substr(0, 10), std::string(outcome_text(record.holds()))});
   }
   return table;
 }
@@ -74,6 +71,13 @@ std::set<std::string> machines(const std::vector<VerifyRecord>& records) {
 }
 
 std::string_view outcome_text(bool holds) { return holds ? "pass" : "FAIL"; }
+
+std::string claims_met_text(const Verdict& verdict) {
+  const auto has_gate = [](const Claim& claim) { return claim.gate != GateKind::none; };
+  const auto is_met = [&](const Claim& claim) { return has_gate(claim) && claim.holds(); };
+  return fmt::format("{} of {}", std::ranges::count_if(verdict.claims, is_met),
+                     std::ranges::count_if(verdict.claims, has_gate));
+}
 
 std::string measured_text(const Claim& claim) { return with_unit(claim.measured, claim.unit); }
 

@@ -14,6 +14,8 @@ std::string gate_text(const Claim& claim);
 /// "2.42 m/s".
 std::string measured_text(const Claim& claim);
 std::string_view outcome_text(bool holds);
+/// How many claims with a gate hold, and of how many: "3 of 4". What is only told is none.
+std::string claims_met_text(const Verdict& verdict);
 /// The case that was run.
 const Verification& verification_of(const VerifyRecord& record);
 

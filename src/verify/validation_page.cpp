@@ -24,10 +24,8 @@ std::string overview(const std::vector<VerifyRecord>& records) {
       "| case | method | claims met | time [s] | version | date | |\n"
       "|---|---|---:|---:|---|---|---|\n";
   for (const VerifyRecord& record : records) {
-    const auto& claims = record.verdict.claims;
-    text += fmt::format("| [{0}](#{0}) | `{1}` | {2} of {3} | {4:.0f} | {5} | {6} | {7} |\n",
-                        record.name, word_of(record.method),
-                        std::ranges::count_if(claims, &Claim::holds), claims.size(), record.seconds,
+    text += fmt::format("| [{0}](#{0}) | `{1}` | {2} | {3:.0f} | {4} | {5} | {6} |\n", record.name,
+                        word_of(record.method), claims_met_text(record.verdict), record.seconds,
                         record.version, record.date.substr(0, 10), outcome_text(record.holds()));
   }
   return text;

@@ -139,6 +139,13 @@ TEST(VerifyReport, SaysOfWhichVersionEachResultIs) {
   EXPECT_THAT(folder.read("verify.json"), HasSubstr(R"("version": "0.1.0+gabc")"));
 }
 
+TEST(VerifyReport, CountsNoClaimThatIsOnlyTold) {
+  Verdict verdict;
+  verdict.claims = {Claim::at_most("error", "", 2, 1), Claim::at_least("speed", "m/s", 2, 1),
+                    Claim::told("front", "m", 2, 1)};
+  EXPECT_EQ(claims_met_text(verdict), "1 of 2");
+}
+
 TEST(VerifyReport, SaysWhereTheGateOfAMethodIsAnother) {
   VerifyRecord fast = made_record(), paper = made_record();
   fast.method = Method::fast;
