@@ -227,8 +227,7 @@ Verdict verify_hydrostatic(const VerifySettings& settings) {
         "unchanged");
     verdict.remarks.push_back(
         "box: the rows settle into another order for some seconds; whatever moves then is slowed "
-        "by "
-        "little but the artificial viscosity");
+        "by little but the artificial viscosity");
   }
   settings.on_progress(1);
   return verdict;
