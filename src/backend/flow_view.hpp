@@ -25,6 +25,8 @@ struct FlowView {
   double* density_rate = nullptr;    ///< kg/m3/s
   Vec3d* acceleration = nullptr;     ///< fluid only, as all below; m/s2
   double* pressure_power = nullptr;  ///< v times acceleration by pressure, W/kg
+  double* wall_heat = nullptr;       ///< what pressure between flow and walls loses, W/kg
+  double* diffusion_rate = nullptr;  ///< share of density diffusion in density_rate
   char* has_neighbours = nullptr;
 
   // Of the implicit method.
@@ -35,7 +37,6 @@ struct FlowView {
   Vec3d* background = nullptr;  ///< density gradient that diffusion leaves alone, 1/m
   Filling* filling = nullptr;
   double* artificial_heat = nullptr;  ///< W/kg
-  double* diffusion_rate = nullptr;   ///< share of density diffusion in density_rate
   Vec3d* shift = nullptr;             ///< of the last step, m
 };
 
@@ -48,6 +49,8 @@ struct FlowArrays {
     flow.density_rate = of.density_rate_.data();
     flow.acceleration = of.acceleration_.data();
     flow.pressure_power = of.pressure_power_.data();
+    flow.wall_heat = of.wall_heat_.data();
+    flow.diffusion_rate = of.diffusion_rate_.data();
     flow.has_neighbours = of.has_neighbours_.data();
     flow.wall = of.wall_share_.data();
     flow.wall_drag = of.wall_drag_.data();
@@ -56,7 +59,6 @@ struct FlowArrays {
     flow.background = of.background_.size() > 0 ? of.background_.data() : nullptr;
     flow.filling = of.filling_.data();
     flow.artificial_heat = of.artificial_heat_.size() > 0 ? of.artificial_heat_.data() : nullptr;
-    flow.diffusion_rate = of.diffusion_rate_.data();
     flow.shift = of.shift_.data();
   }
 };

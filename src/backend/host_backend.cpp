@@ -56,7 +56,7 @@ void HostBackend::find_neighbours() {
   filling_.assign(fluid_.size(), {});
   background_.assign(fluid_.size(), {});
   shift_.assign(fluid_.size(), {});
-  for (std::vector<double>* of_fluid : {&artificial_heat_, &diffusion_rate_})
+  for (std::vector<double>* of_fluid : {&artificial_heat_, &diffusion_rate_, &wall_heat_})
     of_fluid->assign(fluid_.size(), 0);
 }
 
@@ -144,6 +144,9 @@ void HostBackend::predict(double dt) {
 
 void HostBackend::correct(double dt) {
   const PassClock clock(pass_times_, "integration");
+  const auto heat = on_.reduce<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view()});
+  numerical_heat_.density_diffusion += dt * heat.diffusion;
+  numerical_heat_.walls += dt * heat.walls;
   const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
                         start_boundary_density_.data()};
   on_.for_each(fluid_.size(), CorrectFluid{view(), start, dt});

@@ -92,9 +92,11 @@ class HostBackend : public Backend {
   std::vector<Sym3<double>> strain_;  ///< eps = grad v + (grad v)^T, 1/s
   std::vector<Sym3<double>> stress_;  ///< (tau - p I) / rho^2; without tau for two-point viscosity
   std::vector<double> density_rate_;  ///< kg/m3/s
-  std::vector<Vec3d> acceleration_;   ///< fluid only, m/s2
-  std::vector<double> pressure_power_;  ///< fluid only, v times acceleration by pressure, W/kg
-  std::vector<char> has_neighbours_;    ///< fluid only
+  std::vector<Vec3d> acceleration_;   ///< fluid only, as all below; m/s2
+  std::vector<double> pressure_power_;  ///< v times acceleration by pressure, W/kg
+  std::vector<double> wall_heat_;       ///< what pressure between flow and walls loses, W/kg
+  std::vector<double> diffusion_rate_;  ///< share of density diffusion in density_rate_
+  std::vector<char> has_neighbours_;
 
   // Of the implicit method, fluid only.
   std::vector<WallShare> wall_share_;
@@ -104,7 +106,6 @@ class HostBackend : public Backend {
   std::vector<Vec3d> background_;  ///< density gradient that diffusion leaves alone, 1/m
   std::vector<Filling> filling_;
   std::vector<double> artificial_heat_;  ///< W/kg
-  std::vector<double> diffusion_rate_;   ///< share of density diffusion in density_rate_
 
  private:
   void settle_driven();

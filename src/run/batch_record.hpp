@@ -21,7 +21,8 @@ struct BatchRecord {
   double particles = 0;
   double median_layers = 0;
   bool at_rest = false;
-  double energy_imbalance = 0;                             ///< see EnergyBalance
+  double energy_imbalance = 0;  ///< see EnergyBalance
+  double energy_to_scheme = 0;  ///< share of what was released that the scheme itself took
   std::vector<std::pair<std::string, double>> quantities;  ///< "front run-out [m]" and so on
 
   /// A quantity by its label; none where the run has it not.

@@ -93,7 +93,7 @@ void CpuBackend::strain_and_density_rates() {
   const PassClock clock(pass_times_, "motion sweep", fluid_pairs_ + boundary_pairs_);
   parallel_blocks(motion_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.motion({&scale_, &list_, motion_.data(), fluid_.size(), range.first, range.last,
-                    strain_.data(), density_rate_.data()});
+                    strain_.data(), density_rate_.data(), diffusion_rate_.data()});
   });
 }
 
@@ -103,7 +103,8 @@ void CpuBackend::momentum() {
     const PassClock clock(pass_times_, "force sweep", fluid_pairs_);
     parallel_blocks(fluid_.size(), sweep_block, threads(), [&](Range range) {
       sweeps_.force({&scale_, &list_, stress_records_.data(), range.first, range.last,
-                     model_.gravity, acceleration_.data(), pressure_power_.data()});
+                     model_.gravity, acceleration_.data(), pressure_power_.data(),
+                     wall_heat_.data()});
     });
   }
   load_bodies_by_stress();

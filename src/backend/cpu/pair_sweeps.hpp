@@ -24,8 +24,9 @@ struct MotionTask {
   const MotionRecord* records;
   std::size_t fluid_count;  ///< particles below it take part in density diffusion
   std::size_t first, last;
-  Sym3<double>* strain;  ///< out
-  double* density_rate;  ///< out
+  Sym3<double>* strain;  ///< out, this and those below by particle
+  double* density_rate;
+  double* diffusion_rate;  ///< share of density diffusion in it, of the fluid
 };
 struct ForceTask {
   const PairScale* scale;
@@ -33,8 +34,9 @@ struct ForceTask {
   const StressRecord* records;
   std::size_t first, last;
   Vec3d gravity;
-  Vec3d* acceleration;     ///< out
-  double* pressure_power;  ///< out, W/kg
+  Vec3d* acceleration;     ///< out, this and those below by particle
+  double* pressure_power;  ///< W/kg
+  double* wall_heat;       ///< what pressure between flow and walls loses, W/kg
 };
 
 /// Pressure at boundary particles from the fluid near them (Adami et al. 2012, Eq. 27).

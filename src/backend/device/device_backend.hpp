@@ -172,20 +172,20 @@ class DeviceBackend : public Backend {
   Array<std::uint32_t> driven_;        // fluid particles that an inflow moves
   Array<std::uint32_t> driven_walls_;  // boundary particles that may be near those
   Array<char> has_neighbours_;
-  Array<double> density_rate_;
+  Array<double> density_rate_, diffusion_rate_;
   Array<Vec3d> acceleration_;
   Array<MotionRecord> motion_;
 
   // Of the method of the paper; empty until its sweeps run.
   Array<Sym3<double>> stress_;
-  Array<double> pressure_power_;
+  Array<double> pressure_power_, wall_heat_;
   Array<StressRecord> stress_records_;
   Array<Vec3d> start_position_, start_velocity_;
   Array<double> start_density_, start_boundary_density_;
 
   // Of the implicit method; empty until its sweeps run.
   Array<Vec3d> wall_slope_, background_, shift_;
-  Array<double> artificial_heat_, diffusion_rate_;
+  Array<double> artificial_heat_;
   Array<FlowRecord> flow_records_;
   Array<float> wall_weight_;
   Array<ClosingRecord> closings_;

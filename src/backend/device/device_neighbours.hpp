@@ -136,7 +136,7 @@ void DeviceBackend<Executor>::forget_results() {
   for (auto* array : {&strain_, &stress_}) on_.release(*array);
   for (auto* array : {&wall_slope_, &background_, &shift_}) on_.release(*array);
   for (auto* array :
-       {&wall_drag_, &support_, &artificial_heat_, &diffusion_rate_, &pressure_power_})
+       {&wall_drag_, &support_, &artificial_heat_, &diffusion_rate_, &wall_heat_, &pressure_power_})
     on_.release(*array);
   on_.release(wall_share_);
   on_.release(filling_);
@@ -151,7 +151,9 @@ void DeviceBackend<Executor>::need_explicit_arrays() {
   if (pressure_power_.size() == fluid_.size() && stress_.size() == all()) return;
   on_.zero(strain_, all());
   on_.zero(stress_, all());
-  on_.zero(pressure_power_, fluid_.size());
+  // The last is one that is looked at: memory may run out before.
+  for (auto* array : {&diffusion_rate_, &wall_heat_, &pressure_power_})
+    on_.zero(*array, fluid_.size());
 }
 
 template <class Executor>

@@ -34,8 +34,8 @@ void DeviceBackend<Executor>::strain_and_density_rates() {
   need_explicit_arrays();
   pack_motion();
   const Clock clock(*this, "motion sweep", fluid_pairs_ + boundary_pairs_);
-  on_.for_each(all(),
-               MotionSweep{pair_sums(), motion_.data(), strain_.data(), density_rate_.data()});
+  on_.for_each(all(), MotionSweep{pair_sums(), motion_.data(), strain_.data(), density_rate_.data(),
+                                  diffusion_rate_.data()});
 }
 
 template <class Executor>
@@ -161,6 +161,9 @@ void DeviceBackend<Executor>::predict(double dt) {
 template <class Executor>
 void DeviceBackend<Executor>::correct(double dt) {
   const Clock clock(*this, "integration");
+  const auto heat = on_.template reduce<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view()});
+  numerical_heat_.density_diffusion += dt * heat.diffusion;
+  numerical_heat_.walls += dt * heat.walls;
   const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
                         start_boundary_density_.data()};
   on_.for_each(fluid_.size(), CorrectFluid{view(), start, dt});
@@ -175,8 +178,8 @@ std::size_t DeviceBackend<Executor>::device_bytes() const {
          bytes_of(half_space_, slice_starts_, entries_, fluid_neighbours_, neighbours_,
                   list_position_, awake_, touched_, driven_, driven_walls_, has_neighbours_,
                   strain_, density_rate_, acceleration_, motion_) +
-         bytes_of(stress_, pressure_power_, stress_records_, start_position_, start_velocity_,
-                  start_density_, start_boundary_density_) +
+         bytes_of(stress_, pressure_power_, wall_heat_, stress_records_, start_position_,
+                  start_velocity_, start_density_, start_boundary_density_) +
          bytes_of(wall_share_, filling_, wall_drag_, support_, wall_slope_, background_, shift_,
                   artificial_heat_, diffusion_rate_, flow_records_, wall_weight_, closings_) +
          bytes_of(body_rows_, row_forces_, sorted_fluid_.first);

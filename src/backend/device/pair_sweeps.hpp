@@ -63,6 +63,7 @@ struct MotionSweep {
   const MotionRecord* records;
   Sym3<double>* strain;
   double* density_rate;
+  double* diffusion_rate;  ///< of the fluid
 
   SABO_HD void operator()(std::size_t i) const {
     const PairScale& scale = pairs.scale;
@@ -73,7 +74,7 @@ struct MotionSweep {
         scale.hydrostatic - scale.hydrostatic_slope * scale.from_origin(me.x, me.y, me.z));
     const std::uint32_t fluid = pairs.rows.fluid[i], count = pairs.rows.count[i];
     Sym3<float> eps;
-    float rate = 0;
+    float rate = 0, diffused = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
       const MotionRecord j = records[pairs.rows.at(i, k)];
       const auto pair = pairs.geometry(me, j);
@@ -82,11 +83,12 @@ struct MotionSweep {
       const bool across_wall = is_fluid != (k < fluid);
       const float wall = across_wall ? scale.wall_velocity_factor : 1.0f;
       rate += continuity(pair, v, mass);
-      if (is_fluid && !across_wall) rate += diffusion(pair, me.excess, j.excess, mass);
+      if (is_fluid && !across_wall) diffused += diffusion(pair, me.excess, j.excess, mass);
       eps += strain_rate(pair, wall * v, j.volume);
     }
     strain[i] = in_double(eps);
-    density_rate[i] = rate;
+    density_rate[i] = rate + diffused;
+    if (is_fluid) diffusion_rate[i] = diffused;
   }
 };
 
@@ -104,12 +106,15 @@ struct ForceSweep {
     const Vec3f velocity = PairSums::velocity(me);
     const std::uint32_t fluid = pairs.rows.fluid[i], count = pairs.rows.count[i];
     Vec3f a;
-    float power = 0;
+    float power = 0, wall_heat = 0;
     for (std::uint32_t k = 0; k < count; ++k) {
       const StressRecord j = records[pairs.rows.at(i, k)];
       const auto pair = pairs.geometry(me, j);
       a += stress_force(pair, stress(me), stress(j), j.mass);
       power += pressure_power(pair, velocity, me.pressure, j.pressure, j.mass);
+      if (k >= fluid)
+        wall_heat +=
+            pressure_loss(pair, velocity, PairSums::velocity(j), me.pressure, j.pressure, j.mass);
       const Vec3f v = velocity - PairSums::velocity(j);
       if constexpr (two_point) {
         const float mu = k < fluid ? pair_viscosity(me.viscosity, j.viscosity)
@@ -123,6 +128,7 @@ struct ForceSweep {
     }
     flow.acceleration[i] = flow.model.body_force(flow.fluid.position[i]) + in_double(a);
     flow.pressure_power[i] = power;
+    flow.wall_heat[i] = wall_heat;
   }
 
  private:

@@ -60,7 +60,7 @@ void ReferenceBackend::strain_and_density_rates() {
     const bool is_fluid = i < fluids;
     diffusion.hydrostatic = model_.diffusion_background(position(i));
     Sym3<double> eps{};
-    double rate = 0;
+    double rate = 0, diffusion_rate = 0;
     for_each_neighbour(i, !is_fluid, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);
       const bool across_wall = is_fluid != (j < fluids);
@@ -68,10 +68,11 @@ void ReferenceBackend::strain_and_density_rates() {
       eps += strain_rate(pair, wall * v, mass(j) / density(j));
       rate += continuity(pair, v, mass(j));
       if (is_fluid && !across_wall)
-        rate += diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
+        diffusion_rate += diffusion(pair, density(i) / rho0 - 1, density(j) / rho0 - 1, mass(j));
     });
     strain_[i] = eps;
-    density_rate_[i] = rate;
+    density_rate_[i] = rate + diffusion_rate;
+    if (is_fluid) diffusion_rate_[i] = diffusion_rate;
   }
 }
 
@@ -81,11 +82,14 @@ void ReferenceBackend::momentum() {
   const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
   for (std::size_t i = 0; i < fluids; ++i) {
     Vec3d a = model_.body_force(position(i));
-    double power = 0;
+    double power = 0, wall_heat = 0;
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);
       a += stress_force(pair, stress_[i], stress_[j], mass(j));
       power += pressure_power(pair, velocity(i), pressure_term(i), pressure_term(j), mass(j));
+      if (j >= fluids)
+        wall_heat += pressure_loss(pair, velocity(i), velocity(j), pressure_term(i),
+                                   pressure_term(j), mass(j));
       if (morris) {
         const double mu = j < fluids ? pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j])
                                      : model_.wall_velocity_factor() * fluid_.viscosity[i];
@@ -98,6 +102,7 @@ void ReferenceBackend::momentum() {
     });
     acceleration_[i] = a;
     pressure_power_[i] = power;
+    wall_heat_[i] = wall_heat;
   }
   load_bodies_by_stress();
   hold_driven();

@@ -83,6 +83,27 @@ struct FindDissipation {
   }
 };
 
+/// Of the explicit method: what density diffusion and pressure between flow and walls take from
+/// motion and compression; none of driven particles. W.
+struct ExplicitHeat {
+  double diffusion = 0, walls = 0;
+  SABO_HD void join(const ExplicitHeat& other) {
+    diffusion += other.diffusion;
+    walls += other.walls;
+  }
+};
+struct FindExplicitHeat {
+  FlowView flow;
+  SABO_HD void operator()(std::size_t i, ExplicitHeat& sum) const {
+    const ParticleView& fluid = flow.fluid;
+    if (fluid.driven[i] != 0) return;
+    const double density = fluid.density[i];
+    sum.diffusion -=
+        fluid.mass[i] * fluid.pressure[i] / (density * density) * flow.diffusion_rate[i];
+    sum.walls += fluid.mass[i] * flow.wall_heat[i];
+  }
+};
+
 /// Densities for another speed of sound, and the energy that this takes, J.
 struct ChangeSoundSpeed {
   Tait former, state;

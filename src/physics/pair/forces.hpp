@@ -27,6 +27,15 @@ SABO_HD inline T pressure_power(const PairGeometry<T>& pair, const Vec3<T>& v_i,
   return -mass_j * pair.gradient * (p_i + p_j) * dot(v_i, pair.x);
 }
 
+/// What the motion of a particle and its compression lose together where it meets a wall, W/kg: the
+/// power of pressure above and P_i times its rate of density (Eq. 7). Between two particles of the
+/// flow both together lose nothing; a wall keeps it as its own compression, or does not.
+template <class T>
+SABO_HD inline T pressure_loss(const PairGeometry<T>& pair, const Vec3<T>& v_i, const Vec3<T>& v_j,
+                               T p_i, T p_j, T mass_j) {
+  return mass_j * pair.gradient * dot(p_j * v_i + p_i * v_j, pair.x);
+}
+
 /// Viscosity between two particles: the harmonic mean, which keeps the stress continuous where
 /// yielded meets unyielded material (Cleary & Monaghan 1999). Zero if both are zero.
 template <class T>

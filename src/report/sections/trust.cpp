@@ -51,6 +51,7 @@ void add_energy_table(Report& report) {
                                    {"density_diffusion_J", "ledger.density_diffusion"},
                                    {"density_hold_J", "ledger.density_hold"},
                                    {"sound_speed_J", "ledger.sound_speed"},
+                                   {"walls_J", "ledger.walls"},
                                    {"carried_off_J", "ledger.carried_off"}})
     if (const auto value = report.run.number("energy", key)) add(report.say(label), *value);
   if (const auto share = run.number("energy", "imbalance"))

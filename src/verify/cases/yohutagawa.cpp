@@ -127,6 +127,9 @@ Verdict verify_yohutagawa(const VerifySettings& settings) {
     verdict.claims.push_back(
         Claim::at_most(name + ": energy that is not accounted for, over that released", "",
                        std::abs(record.energy_imbalance), 0.005));
+    verdict.claims.push_back(
+        Claim::told(name + ": energy that the scheme itself takes, over that released", "",
+                    record.energy_to_scheme, 0));
     for (const Published& number : published)
       if (const auto value = record.quantity(number.quantity)) {
         const std::string_view quantity = number.quantity;

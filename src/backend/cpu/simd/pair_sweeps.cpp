@@ -17,7 +17,7 @@ static_assert(PairList::lanes % Lanes::count == 0, "rows are padded to whole vec
 
 struct MotionSums {
   Sym3<Lanes> eps;
-  Lanes rate;
+  Lanes rate, diffusion_rate;
 };
 
 /// Adds one run of neighbours. `diffusive` for fluid pairs; `wall` scales the strain of pairs
@@ -42,7 +42,7 @@ HWY_INLINE void add_motion(const Constants& s, const MotionTask& task, std::size
     const Lanes excess_j = j[6], volume_j = j[7];
     const Lanes mass_j = volume_j * (s.rho0 + s.rho0 * excess_j);
     sums.rate += continuity(pair, v, mass_j);
-    if constexpr (diffusive) sums.rate += diffusion(pair, excess, excess_j, mass_j);
+    if constexpr (diffusive) sums.diffusion_rate += diffusion(pair, excess, excess_j, mass_j);
     sums.eps += strain_rate(pair, wall_factor * v, volume_j);
   }
 }
@@ -62,17 +62,19 @@ void motion_range(const MotionTask& task) {
     }
     const Sym3<Lanes>& e = sums.eps;
     task.strain[i] = {sum(e.xx), sum(e.xy), sum(e.xz), sum(e.yy), sum(e.yz), sum(e.zz)};
-    task.density_rate[i] = sum(sums.rate);
+    const float diffusion_rate = sum(sums.diffusion_rate);
+    task.density_rate[i] = sum(sums.rate) + diffusion_rate;
+    if (i < task.fluid_count) task.diffusion_rate[i] = diffusion_rate;
   }
 }
 
 struct ForceSums {
   Vec acceleration;
-  Lanes pressure_power;
+  Lanes pressure_power, wall_heat;
 };
 
 /// Adds one run of neighbours; `wall` is the velocity factor of pairs across the wall, whose
-/// viscosity is that of the fluid.
+/// viscosity is that of the fluid; none: they are fluid.
 template <bool periodic, bool two_point, bool artificial>
 HWY_INLINE void add_force(const Constants& s, const ForceTask& task, std::size_t i,
                           const std::uint32_t* begin, const std::uint32_t* end, const float* wall,
@@ -92,6 +94,9 @@ HWY_INLINE void add_force(const Constants& s, const ForceTask& task, std::size_t
     const Sym3<Lanes> stress_j{j[4], j[5], j[6], j[7], more[0], more[1]};
     sums.acceleration += stress_force(pair, stress, stress_j, mass_j);
     sums.pressure_power += pressure_power(pair, velocity, pressure, more[7], mass_j);
+    if (wall)
+      sums.wall_heat +=
+          pressure_loss(pair, velocity, Vec{more[2], more[3], more[4]}, pressure, more[7], mass_j);
     if constexpr (two_point || artificial) {
       const Vec v = velocity - Vec{more[2], more[3], more[4]};
       const Lanes viscosity_j = more[5], density_j = more[6];
@@ -119,6 +124,7 @@ void force_range(const ForceTask& task) {
     const Vec& a = sums.acceleration;
     task.acceleration[i] = task.gravity + Vec3d{sum(a.x), sum(a.y), sum(a.z)};
     task.pressure_power[i] = sum(sums.pressure_power);
+    task.wall_heat[i] = sum(sums.wall_heat);
   }
 }
 
