@@ -185,48 +185,50 @@ Verdict verify_invariance(const VerifySettings& settings) {
     return verdict;
   }
 
-  const int members = 8;
+  // Single fronts scatter by 2 to 4 %: that two means differ by less than 2 % is told by 32 starts,
+  // not by 8, which tell whether anything but rounding differs.
+  constexpr int few = 8, many = 32;
   const double end = 1.5;  // s; it has come to rest
-  const std::vector<View> views{plain, turned, far, reference, stiff};
-  LineChart chart{"Fronts of jittered starts", "start", "front [m]"};
+  LineChart chart{fmt::format("Fronts of {} jittered starts", few), "start", "front [m]"};
   chart.has_zero = false;
-  std::vector<Mean> means;
   int done = 0;
-  for (const View& view : views) {
+  const auto fronts_of = [&](const View& view, int members) {
     std::vector<double> fronts;
     ChartSeries series{view.name};
+    series.has_markers = true;
+    series.has_line = false;
     // Points of one start stand beside each other.
     const double aside = 0.12 * (static_cast<double>(chart.series.size()) - 2);
     for (int member = 1; member <= members; ++member) {
       Slump slump(view, settings, member);
       slump.run_to(end);
       fronts.push_back(slump.front());
+      settings.on_progress(static_cast<double>(++done) / (3 * few + 2 * many));
+      if (member > few) continue;
       series.x.push_back(member + aside);
       series.y.push_back(fronts.back());
-      settings.on_progress(static_cast<double>(++done) /
-                           static_cast<double>(members * views.size()));
     }
-    series.has_markers = true;
-    series.has_line = false;
-    means.push_back(mean_of(fronts));
     chart.series.push_back(std::move(series));
+    return fronts;
+  };
+
+  const std::vector<double> fronts = fronts_of(plain, many);
+  const Mean mean = mean_of(fronts), few_mean = mean_of({fronts.begin(), fronts.begin() + few});
+  for (const View& view : {turned, far, reference}) {
+    const Mean seen = mean_of(fronts_of(view, few));
+    verdict.claims.push_back(Claim::at_most(
+        fmt::format("{}: mean front of {} starts, difference in standard errors", view.name, few),
+        "", std::abs(seen.value - few_mean.value) / std::hypot(seen.error, few_mean.error), 2));
   }
-  for (std::size_t k = 1; k < views.size(); ++k) {
-    if (views[k].sound_speed_factor == plain.sound_speed_factor)
-      verdict.claims.push_back(Claim::at_most(
-          fmt::format("{}: mean front of {} starts, difference in standard errors", views[k].name,
-                      members),
-          "",
-          std::abs(means[k].value - means[0].value) / std::hypot(means[k].error, means[0].error),
-          2));
-    else
-      verdict.claims.push_back(
-          Claim::within_share(fmt::format("{}: mean front of {} starts", views[k].name, members),
-                              "m", means[k].value, means[0].value, 0.02));
-  }
+  const Mean stiff_mean = mean_of(fronts_of(stiff, many));
+  verdict.claims.push_back(
+      Claim::within_share(fmt::format("{}: mean front of {} starts", stiff.name, many), "m",
+                          stiff_mean.value, mean.value, 0.02));
   verdict.charts = {std::move(chart)};
-  verdict.remarks = {fmt::format("{} x {} particles of {:g} m; the front is {:.3f} ± {:.3f} m",
-                                 cells, cells, spacing, means[0].value, means[0].error)};
+  verdict.remarks = {fmt::format(
+      "{} x {} particles of {:g} m; the front of {} starts is {:.3f} ± {:.3f} m, with "
+      "twice the speed of sound {:.3f} ± {:.3f} m",
+      cells, cells, spacing, many, mean.value, mean.error, stiff_mean.value, stiff_mean.error)};
   return verdict;
 }
 
