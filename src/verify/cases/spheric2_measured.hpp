@@ -3,7 +3,8 @@
 #include <vector>
 
 /// What was measured in test 2 of SPHERIC: the file test_case_2_exp_data.dat of its release, of one
-/// sample each millisecond. All that counts here is not concerned by its swapped columns H1 and H3.
+/// sample each millisecond. Its columns H1 and H3 are swapped: the first to rise is that next to
+/// the gate.
 namespace sabo::spheric2_measured {
 
 // Means over 20 ms, centred on 0.36 s and every 20 ms from there, Pa.
@@ -18,6 +19,10 @@ inline const std::vector<double> measured_p3{-49,  -48,  -53,  959,  5443, 6310,
                                              3567, 3465, 3345, 3288, 3270, 3118};
 // Means over 50 ms, centred on 0 s and every 0.1 s from there, m.
 inline constexpr double height_step = 0.1;  // s
+inline const std::vector<double> measured_h1{0.000, 0.000, 0.012, 0.071, 0.099, 0.097, 0.114, 0.124,
+                                             0.136, 0.147, 0.155, 0.159, 0.157, 0.156, 0.150, 0.144,
+                                             0.138, 0.132, 0.125, 0.140, 0.145, 0.249, 0.292, 0.290,
+                                             0.248, 0.269, 0.250, 0.235, 0.240, 0.242, 0.236};
 inline const std::vector<double> measured_h2{0.001, 0.001, 0.001, 0.001, 0.046, 0.098, 0.120, 0.131,
                                              0.148, 0.166, 0.180, 0.187, 0.196, 0.206, 0.200, 0.238,
                                              0.253, 0.311, 0.332, 0.294, 0.286, 0.297, 0.293, 0.292,
