@@ -47,8 +47,7 @@ struct ReleaseCase {
       point_volume);
     v(Key{"box", "m",
           "[x0, y0, z0, x1, y1, z1]: all of this box that is above the ground and outside of "
-          "bodies, "
-          "with a level surface"}
+          "bodies, with a level surface"}
           .at_least(-1e8)
           .at_most(1e8),
       box);
@@ -72,8 +71,7 @@ struct ReleaseCase {
     v(Key{"normal", "", "thickness is normal to the ground, not vertical"}, normal);
     v(Key{"jitter", "",
           "random displacement of each released particle along x, y and z, at most this share of "
-          "the "
-          "spacing: for ensembles"}
+          "the spacing: for ensembles"}
           .at_least(0)
           .at_most(0.3),
       jitter);

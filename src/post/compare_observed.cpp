@@ -35,14 +35,12 @@ const std::vector<RasterClass>& footprint_classes() {
 
 constexpr const char* remarks =
     "Hit: reached in both; miss: in the survey only; false alarm: in the run only. Critical "
-    "success "
-    "index: hit / (hit + miss + false alarm), which of areas is also intersection over union "
-    "(Jaccard). Precision: hit / simulated; recall: hit / observed; area ratio: simulated / "
-    "observed "
-    "(Jolliffe & Stephenson 2012, Forecast Verification, chapter 3). Omega = alpha - beta - gamma "
-    "with hit, false alarm and miss over the observed area (Scheidl & Rickenmann 2010). Depth "
-    "errors are simulated minus observed over the cells that were hit. Run-out: station along the "
-    "path of the farthest cell that was reached.";
+    "success index: hit / (hit + miss + false alarm), which of areas is also intersection over "
+    "union (Jaccard). Precision: hit / simulated; recall: hit / observed; area ratio: simulated / "
+    "observed (Jolliffe & Stephenson 2012, Forecast Verification, chapter 3). Omega = alpha - "
+    "beta - gamma with hit, false alarm and miss over the observed area (Scheidl & Rickenmann "
+    "2010). Depth errors are simulated minus observed over the cells that were hit. Run-out: "
+    "station along the path of the farthest cell that was reached.";
 
 /// Sets one run beside a survey and fills the folder of the result.
 class Survey {

@@ -173,9 +173,8 @@ void add_claims(const Collapse& collapse, int cells, double moved, Verdict& verd
                      height_error(collapse, 0), 0.04));
   verdict.remarks.push_back(fmt::format(
       "a/dp {}: artificial viscosity {:g}. T of the fronts moved by {:+.2f}, found by least "
-      "squares "
-      "within 0.3; unmoved the error is {:.3f}. With heights moved by the same time theirs is "
-      "{:.3f}",
+      "squares within 0.3; unmoved the error is {:.3f}. With heights moved by the same time "
+      "theirs is {:.3f}",
       cells, artificial_viscosity, moved, front_error(collapse, 0), height_error(collapse, moved)));
 }
 
@@ -221,11 +220,9 @@ Verdict verify_dam_break(const VerifySettings& settings) {
                       height_error(mud, 0), 0.04));
   if (settings.method == Method::paper)
     verdict.remarks.push_back(
-        "This method has artificial viscosity between flow and boundary particles too, which rubs "
-        "at "
-        "the floor (the fast method lost its error of 0.057 with that term); without any the "
-        "height "
-        "is right within 0.021 at a/dp 40");
+        "This method has artificial viscosity between flow and boundary particles too, which "
+        "rubs at the floor (the fast method lost its error of 0.057 with that term); without any "
+        "the height is right within 0.021 at a/dp 40");
   verdict.charts = {std::move(front), std::move(top)};
   settings.on_progress(1);
   return verdict;

@@ -130,8 +130,7 @@ Verdict verify_slab(const VerifySettings& settings) {
     add_published(settings, end, verdict);
     verdict.remarks.push_back(
         "the two-point operator with mirrored walls holds the slab too much, by 11 % at 5 layers "
-        "and "
-        "6 % at 10: an error of first order in the spacing");
+        "and 6 % at 10: an error of first order in the spacing");
   }
   report(0.1);
   return verdict;

@@ -169,9 +169,8 @@ Verdict verify_slit(const VerifySettings& settings) {
         "particles, with a gradient of 0.0029 1/s in the plug, and 0.0006 1/s at 100"};
     if (settings.method == Method::fast) {
       verdict.remarks.push_back(
-          "order: at a fixed h over spacing of 1.5 sums over sheared particles keep an error that "
-          "no "
-          "spacing takes away; for the Newtonian fluid it is 0.3 % at 50 and at 100");
+          "order: at a fixed h over spacing of 1.5 sums over sheared particles keep an error "
+          "that no spacing takes away; for the Newtonian fluid it is 0.3 % at 50 and at 100");
       verdict.remarks.push_back(
           "Herschel-Bulkley passes at 8 s, two of its relaxation times; later the rows near the "
           "walls break up, and at 16 s the L2 error is 2.6 %");

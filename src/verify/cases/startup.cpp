@@ -138,8 +138,7 @@ Verdict verify_startup(const VerifySettings& settings) {
     verdict.remarks.push_back(
         "order: from 25, 50 and 100 across it is -0.2 (Poiseuille) and 0.1 (Couette). The likely "
         "cause is the η^2 in the denominator of Morris' form, which takes 1 % of the viscosity "
-        "away "
-        "at any spacing");
+        "away at any spacing");
   return verdict;
 }
 

@@ -206,8 +206,7 @@ Verdict verify_taylor_green(const VerifySettings& settings) {
   } else {
     verdict.remarks.push_back(
         "This method has no particle shifting; without it the fast method misses the gate at Re "
-        "100 too, "
-        "by 0.19");
+        "100 too, by 0.19");
   }
   verdict.charts = {std::move(chart)};
   settings.on_progress(1);
