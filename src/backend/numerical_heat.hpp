@@ -8,7 +8,8 @@ struct NumericalHeat {
   double density_diffusion = 0;
   double density_hold = 0;  ///< fast: density held to the places of the particles
   double sound_speed = 0;   ///< fast: compression at the same pressure with another speed of sound
-  double walls = 0;         ///< paper: pressure against walls whose own density follows continuity
+  double walls = 0;  ///< paper: pressure against walls whose own density follows continuity, with
+                     ///< what they keep as compression of their own
 
   double total() const {
     return artificial_viscosity + density_diffusion + density_hold + sound_speed + walls;

@@ -98,7 +98,6 @@ Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
       look_distance_(0.5 * c.numerics.spacing),
       has_dams_(!scene.check_dams().empty()),
       has_places_(!scene.zones.empty() || !scene.gauges.empty() || !loads_.is_empty()),
-      has_dynamic_walls_(c.numerics.method == Method::paper),
       front_csv_(folder.series_file("front.csv"),
                  {"time [s]", "position [m]", "displacement [m]", "velocity [m/s]"}),
       discharge_csv_(folder.series_file("discharge.csv"), discharge_header(scene)),
@@ -200,10 +199,6 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   const double interval = rows_.empty() ? 0 : row.time - rows_.back().time;
   row.front = front_.update(row.time, backend.fluid());
   row.energy = energy_of(backend.fluid(), model_.gravity, backend.model().state);
-  // Dynamic boundary particles are compressed by the flow and give the energy back.
-  if (has_dynamic_walls_)
-    row.energy.elastic +=
-        energy_of(backend.boundary(), model_.gravity, backend.model().state).elastic;
   row.entered =
       freed_ + energy_of(driven_part(backend.fluid()), model_.gravity, backend.model().state);
   row.left = left_;

@@ -133,7 +133,6 @@ class Recorder {
   std::size_t put_back_seen_ = 0;
   bool has_dams_;
   bool has_places_;  // zones, gauges or structures, which look at the columns
-  bool has_dynamic_walls_;
   std::vector<InflowRow> inflows_;
   std::vector<const InflowPlan*> inflow_plans_;
   Energy freed_;  // brought by what inflows have set free, at the time they did
