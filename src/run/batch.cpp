@@ -1,6 +1,7 @@
 #include "run/batch.hpp"
 
 #include <algorithm>
+#include <new>
 #include <system_error>
 
 #include <fmt/format.h>
@@ -25,8 +26,7 @@ class Queue {
       return record;
     }
     tell(heading);
-    const RunResult made =
-        run_case(run.c, {folder, FormerRun::replaced, options_.on_progress, options_.stop, false});
+    const RunResult made = run_or_tell(run.c, folder);
     if (made.end == RunEnd::interrupted) result_.end = RunEnd::interrupted;
     if (made.end == RunEnd::failed) fail(run, made.reason);
     if (made.end != RunEnd::finished) return std::nullopt;
@@ -36,6 +36,22 @@ class Queue {
   }
 
  private:
+  /// What keeps a run from starting is a failure of that run alone.
+  RunResult run_or_tell(const Case& c, const fs::path& folder) const try {
+    return run_case(c, {folder, FormerRun::replaced, options_.on_progress, options_.stop, false});
+  } catch (const std::bad_alloc&) {
+    return failure("not enough memory");
+  } catch (const std::exception& error) {
+    return failure(error.what());
+  }
+
+  static RunResult failure(const std::string& reason) {
+    RunResult result;
+    result.end = RunEnd::failed;
+    result.reason = reason;
+    return result;
+  }
+
   void fail(const BatchRun& run, const std::string& reason) {
     result_.end = RunEnd::failed;
     if (!result_.reason.empty()) result_.reason += "\n";

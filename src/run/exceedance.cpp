@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::string_view map_prefix = "exceedance_";
+
 struct Maps {
   std::string crs;
   Raster ground;
@@ -48,6 +50,14 @@ std::vector<ColourStep> share_steps() {
           {0, {102, 37, 6}, "75 % or more"}};
 }
 
+/// Those of an earlier sweep in this folder, of other depths perhaps.
+void remove_former(const fs::path& folder) {
+  std::error_code error;
+  for (const char* name : {"maps", "pictures"})
+    for (const fs::directory_entry& file : fs::directory_iterator(folder / name, error))
+      if (file.path().filename().string().starts_with(map_prefix)) fs::remove(file.path(), error);
+}
+
 }  // namespace
 
 Raster share_above(const std::vector<Raster>& maps, double limit) {
@@ -67,6 +77,7 @@ Raster share_above(const std::vector<Raster>& maps, double limit) {
 std::vector<PagePicture> write_exceedance(const std::vector<fs::path>& runs,
                                           const std::vector<double>& depths, const Case& c,
                                           const fs::path& folder) {
+  remove_former(folder);
   if (depths.empty()) return {};
   const Maps maps = read_maps(runs);
   for (const char* name : {"maps", "pictures"}) {
@@ -77,7 +88,7 @@ std::vector<PagePicture> write_exceedance(const std::vector<fs::path>& runs,
   std::vector<PagePicture> pictures;
   for (const double depth : depths) {
     const Raster share = share_above(maps.depths, depth);
-    const std::string name = fmt::format("exceedance_{:g}m", depth);
+    const std::string name = fmt::format("{}{:g}m", map_prefix, depth);
     write_raster(
         folder / "maps" / (name + ".tif"), share,
         {maps.crs,

@@ -1,5 +1,8 @@
 #include "run/sweep.hpp"
 
+#include <fmt/format.h>
+
+#include "base/error.hpp"
 #include "run/exceedance.hpp"
 #include "run/sweep_page.hpp"
 #include "run/tables.hpp"
@@ -23,7 +26,12 @@ BatchResult run_sweep(const SweepRequest& request, const BatchOptions& options) 
   SweepPage page{plan.front().c, table, {}, missing_runs_text(records, result)};
   std::vector<std::filesystem::path> folders;
   for (const SweepRow& row : table.rows) folders.push_back(options.folder / row.record.folder);
-  page.pictures = write_exceedance(folders, request.depths, plan.front().c, options.folder);
+  try {
+    page.pictures = write_exceedance(folders, request.depths, plan.front().c, options.folder);
+  } catch (const RunError& error) {  // the table of what came out is worth having without maps
+    if (!page.warning.empty()) page.warning += "; ";
+    page.warning += fmt::format("no maps of exceedance: {}", error.what());
+  }
   result.index = write_sweep(page, options.folder);
   for (const std::string& line : text_of(sweep_table(table))) result.summary.push_back(line);
   if (!page.warning.empty()) result.summary.push_back("Warning: " + page.warning);

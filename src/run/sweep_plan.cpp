@@ -33,10 +33,13 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
                   "material.pore_pressure_ratio=0:0.6:0.2");
 }
 
-/// First, last and step; the last one counts when the steps meet it to rounding.
+/// First, last and step; the last one counts when the steps meet it to rounding. Of whole numbers
+/// all values are whole.
 void add_range(std::string_view text, std::vector<Override::Value>& values) {
   std::vector<double> numbers;
+  bool is_whole = true;
   for (const std::string_view part : split(text, ':')) {
+    is_whole = is_whole && parsed_number<std::int64_t>(part);
     const auto number = parsed_number<double>(part);
     if (!number || !std::isfinite(*number)) refuse(fmt::format("\"{}\" is no number", part));
     numbers.push_back(*number);
@@ -46,9 +49,11 @@ void add_range(std::string_view text, std::vector<Override::Value>& values) {
   if (!(count >= 0 && count < most_runs))
     refuse(fmt::format("\"{}\" leads nowhere, or makes too many steps", text));
   for (int k = 0; k <= std::floor(count + 1e-9); ++k) {
-    // As one would write it: 0.3, not 0.30000000000000004.
-    values.emplace_back(
-        *parsed_number<double>(fmt::format("{:.12g}", numbers[0] + k * numbers[2])));
+    const double value = numbers[0] + k * numbers[2];
+    if (is_whole)
+      values.emplace_back(std::llround(value));
+    else  // as one would write it: 0.3, not 0.30000000000000004
+      values.emplace_back(*parsed_number<double>(fmt::format("{:.12g}", value)));
   }
 }
 
@@ -92,6 +97,7 @@ SweepRun run_of(const SweepRequest& request, const std::vector<std::size_t>& cho
 std::string value_text(const Override::Value& value) {
   if (const auto* whole = std::get_if<std::int64_t>(&value)) return std::to_string(*whole);
   if (const auto* number = std::get_if<double>(&value)) return fmt::format("{}", *number);
+  if (const auto* is_on = std::get_if<bool>(&value)) return *is_on ? "true" : "false";
   return std::get<std::string>(value);
 }
 

@@ -200,6 +200,38 @@ TEST(ReadCase, CommandLineIsCheckedLikeTheFile) {
       "command line numerics.spacing: -1 is out of range; give a number from 1e-6 to 10000 m");
 }
 
+constexpr const char* two_dams = R"(
+[[structure]]
+line = [[0, 0, 10], [20, 0, 11]]
+thickness = 3
+notch = { centre = 10, width = 4, depth = 1 }
+[[structure]]
+line = [[0, 9, 10], [20, 9, 11]]
+thickness = 3
+)";
+
+TEST(ReadCase, OverridesReachTablesWithinTables) {
+  const Case c = read_without_faults(std::string(smallest_case) + two_dams,
+                                     {{"structure[1].notch", "width", 5.5},
+                                      {"structure[2]", "thickness", std::int64_t{4}},
+                                      {"release", "normal", true}});
+  EXPECT_EQ(c.structures[0].notch->width, 5.5);
+  EXPECT_EQ(c.structures[0].thickness, 3.0);
+  EXPECT_EQ(c.structures[1].thickness, 4.0);
+  EXPECT_TRUE(c.release.normal);
+}
+
+// None of these may be passed over, or set something else.
+TEST(ReadCase, OverridesOfNoTableAreFaults) {
+  for (const char* table : {"structure", "structure[3]", "structure[0]", "structure[1",
+                            "structure[1]x", "structure[1].slit[1]", "structure[x]", "body[1]"}) {
+    Faults faults;
+    read_case_text(std::string(smallest_case) + two_dams, folder_with_files(), faults,
+                   {{table, "thickness", 5.0}});
+    EXPECT_FALSE(faults.list().empty()) << table;
+  }
+}
+
 TEST(ReadCase, WhatTheCommandLineLacksIsMissedInTheFile) {
   Faults faults;
   read_case_text(with(smallest_case, "[numerics]\nspacing = 0.5\n", ""), folder_with_files(),

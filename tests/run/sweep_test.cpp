@@ -24,6 +24,11 @@ TEST(Variation, HoldsListsAndRanges) {
   const Variation range = read_variation("material.pore_pressure_ratio=0:0.3:0.1");
   EXPECT_THAT(texts_of(range), testing::ElementsAre("0", "0.1", "0.2", "0.3"));
   EXPECT_EQ(read_variation("structure[2].height=4").key.table, "structure[2]");
+  const Variation seeds = read_variation("release.seed=1:5:2");
+  EXPECT_THAT(texts_of(seeds), testing::ElementsAre("1", "3", "5"));
+  EXPECT_TRUE(std::holds_alternative<std::int64_t>(seeds.values[0]));
+  EXPECT_THAT(texts_of(read_variation("release.normal=true,false")),
+              testing::ElementsAre("true", "false"));
   EXPECT_THAT(texts_of(read_variation("numerics.wall=coulomb")), testing::ElementsAre("coulomb"));
 }
 

@@ -168,22 +168,52 @@ TomlNode& entry(TomlTable& table, const std::string& key) {
   return table.back().node;
 }
 
-/// The table of "numerics", or the second one of "structure[2]"; nullptr where there is none.
-TomlTable* table_of(TomlTable& root, const std::string& path) {
-  const std::size_t bracket = path.find('[');
-  TomlNode& node = entry(root, path.substr(0, bracket));
-  if (bracket == std::string::npos) return std::get_if<TomlTable>(&node.value);
-  auto* members = std::get_if<TomlArray>(&node.value);
-  const std::size_t number = std::strtoul(path.c_str() + bracket + 1, nullptr, 10);
-  if (!members || number < 1 || number > members->size()) return nullptr;
-  return std::get_if<TomlTable>(&(*members)[number - 1].value);
+TomlNode* existing(TomlTable& table, std::string_view key) {
+  for (auto& [name, node] : table)
+    if (name == key) return &node;
+  return nullptr;
+}
+
+/// The number within "slit[2]", if it is written like that.
+std::optional<std::int64_t> number_in(std::string_view step) {
+  const std::size_t bracket = step.find('[');
+  if (!step.ends_with(']')) return std::nullopt;
+  return parsed_number<std::int64_t>(step.substr(bracket + 1, step.size() - bracket - 2));
+}
+
+/// The table of a path, "numerics" or "structure[2].slit[1]", with a fault or, where the file
+/// itself has one, nullptr. A plain table that the file lacks is made.
+TomlTable* table_of(TomlTable& root, std::string_view path, Faults& faults) {
+  TomlTable* table = &root;
+  for (std::size_t begin = 0; table && begin <= path.size();) {
+    const std::size_t end = std::min(path.find('.', begin), path.size());
+    const std::string_view step = path.substr(begin, end - begin);
+    const std::string so_far(path.substr(0, end)), name(step.substr(0, step.find('[')));
+    begin = end + 1;
+    if (name.size() == step.size()) {
+      TomlNode& node = entry(*table, name);
+      if (std::holds_alternative<TomlArray>(node.value)) {
+        faults.add(so_far, "may stand for several", "give the number of one, " + so_far + "[1]");
+        return nullptr;
+      }
+      table = std::get_if<TomlTable>(&node.value);
+      continue;
+    }
+    TomlNode* node = existing(*table, name);
+    auto* members = node ? std::get_if<TomlArray>(&node->value) : nullptr;
+    const auto number = number_in(step);
+    if (!members || !number || *number < 1 || *number > std::ssize(*members)) {
+      faults.add(so_far, "is not in the case", "give the number of one that is, from 1");
+      return nullptr;
+    }
+    table = std::get_if<TomlTable>(&(*members)[*number - 1].value);
+  }
+  return table;
 }
 
 void set_override(TomlTable& root, const Override& replacement, Faults& faults) {
-  TomlTable* table = table_of(root, replacement.table);
-  if (!table && replacement.table.ends_with(']'))
-    faults.add(replacement.table, "is not in the case", "give the number of one that is, from 1");
-  if (!table) return;  // else a fault of the file, reported when it is read
+  TomlTable* table = table_of(root, replacement.table, faults);
+  if (!table) return;
   TomlNode& value = entry(*table, replacement.key);
   value.line = 0;
   std::visit([&](const auto& given) { value.value = given; }, replacement.value);
@@ -225,6 +255,7 @@ Case read_text(std::string_view text, const FileContext& file,
 Override::Value override_value(const std::string& text) {
   if (const auto whole = parsed_number<std::int64_t>(text)) return *whole;
   if (const auto number = parsed_number<double>(text)) return *number;
+  if (text == "true" || text == "false") return text == "true";
   return text;
 }
 

@@ -14,13 +14,13 @@ namespace sabo {
 
 /// A key set on the command line: it stands in for the file's and is checked like it.
 struct Override {
-  std::string table;  ///< e.g. "numerics", or "structure[2]" for the second one
+  std::string table;  ///< e.g. "numerics", or "structure[2].slit[1]", counted from 1
   std::string key;    ///< e.g. "spacing"
-  using Value = std::variant<std::int64_t, double, std::string>;
+  using Value = std::variant<std::int64_t, double, std::string, bool>;
   Value value;
 };
 
-/// A text as the value it would be in a case file; what is no number is a word.
+/// A text as the value it would be in a case file; what is no number, true or false is a word.
 Override::Value override_value(const std::string& text);
 
 /// Reads `case_file_or_folder`; of a folder, its case.toml. Keys that are not given keep their
