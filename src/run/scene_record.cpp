@@ -44,8 +44,12 @@ std::vector<MapLine> plan_lines(const Scene& scene) {
       return candidate.kind == MapLine::Kind::dam && candidate.label == dam.name;
     });
     if (line == lines.end() || dam.axis.has_z) continue;
-    line->line.has_z = true;
-    for (Vec3d& vertex : line->line.vertices) vertex.z = dam.crest;
+    line->line = {{}, true};
+    for (const double station : dam_stations(dam)) {
+      const Vec3d at = point_at(dam.axis, station);
+      line->line.vertices.push_back(
+          {at.x + scene.frame.origin_x, at.y + scene.frame.origin_y, dam.crest_at(station)});
+    }
   }
   return lines;
 }

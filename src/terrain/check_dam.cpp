@@ -8,17 +8,6 @@ namespace {
 
 constexpr double thinnest_part = 1e-9;  // m: less is rounding
 
-double crest_at(const CheckDam& dam, double station) {
-  const double end = length(dam.axis);
-  const double within = std::clamp(station, 0.0, end);
-  if (dam.axis.has_z) return point_at(dam.axis, within).z;
-  if (dam.profile.size() < 2 || !(end > 0)) return dam.crest;
-  const auto last = static_cast<double>(dam.profile.size() - 1);
-  const double place = within / end * last;
-  const auto k = static_cast<std::size_t>(std::min(std::floor(place), last - 1));
-  return std::lerp(dam.profile[k], dam.profile[k + 1], place - static_cast<double>(k));
-}
-
 /// Sorted, and without those that differ by rounding only.
 std::vector<double> cuts(std::vector<double> values, double size) {
   std::sort(values.begin(), values.end());
@@ -30,9 +19,18 @@ std::vector<double> cuts(std::vector<double> values, double size) {
 
 }  // namespace
 
-double CheckDam::top(double station) const {
-  return crest_at(*this, station) - notch_depth(station);
+double CheckDam::crest_at(double station) const {
+  const double end = length(axis);
+  const double within = std::clamp(station, 0.0, end);
+  if (axis.has_z) return point_at(axis, within).z;
+  if (profile.size() < 2 || !(end > 0)) return crest;
+  const auto last = static_cast<double>(profile.size() - 1);
+  const double place = within / end * last;
+  const auto k = static_cast<std::size_t>(std::min(std::floor(place), last - 1));
+  return std::lerp(profile[k], profile[k + 1], place - static_cast<double>(k));
 }
+
+double CheckDam::top(double station) const { return crest_at(station) - notch_depth(station); }
 
 double CheckDam::notch_depth(double station) const {
   if (!notch) return 0;

@@ -42,7 +42,10 @@ struct CheckDam {
   std::vector<Opening> openings = {};
   std::vector<double> profile = {};  ///< crest elevations, evenly spaced from end to end, m
 
-  /// Elevation of the top at a station, the notch taken off, m; openings are not.
+  /// Elevation of the crest at a station, m.
+  double crest_at(double station) const;
+
+  /// The same, the notch taken off; openings are not.
   double top(double station) const;
 
   /// Depth of the notch below the crest at a station, m; 0 beside it.

@@ -10,9 +10,11 @@
 
 #include "analysis/section.hpp"
 #include "analysis/tracks.hpp"
+#include "io/output/plan_file.hpp"
 #include "run/finished_run.hpp"
 #include "run/flow.hpp"
 #include "run/preview.hpp"
+#include "terrain/bilinear.hpp"
 
 // Inflows into a channel of 2 m between walls on a plane of 3 deg, particles of 0.25 m.
 
@@ -240,6 +242,15 @@ TEST(InflowRun, HasABalanceToTheLastParticle) {
   EXPECT_THAT(manifest, HasSubstr("[[inflow]]\ninflow = \"apex\"\n"));
   EXPECT_THAT(manifest, HasSubstr("hydrograph.csv"));  // among the checksums
   EXPECT_THAT(run.result.summary, testing::Contains(HasSubstr("Inflow apex: hydrograph 234")));
+
+  // Its walls follow the ground, 4 m above it, in the plan as well.
+  const std::vector<MapLine> plan = read_plan(run.folder / "maps" / "plan.geojson");
+  const auto wall = std::ranges::find(plan, "left bank", &MapLine::label);
+  ASSERT_NE(wall, plan.end());
+  ASSERT_TRUE(wall->line.has_z);
+  const Raster ground = RasterFile(run.folder / "maps" / "ground.tif", "map").read();
+  for (const Vec3d& vertex : wall->line.vertices)
+    EXPECT_NEAR(vertex.z, bilinear(ground, vertex.x, vertex.y, Raster::no_data) + 4, 0.01);
 }
 
 }  // namespace
