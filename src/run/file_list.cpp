@@ -17,7 +17,7 @@ std::vector<PageFile> files_of_run(const Case& c, const Scene& scene) {
   files.insert(files.end(),
                {{"maps/ground.tif", "elevation of the ground as the run used it, m"},
                 {"maps/rel.tif", "depth of the release, m"},
-                {"maps/plan.geojson", "path, structures, sections and zones"},
+                {"maps/plan.geojson", "path, structures, bodies, inflows, sections and zones"},
                 {"series/front.csv", "position, displacement and velocity of the front"},
                 {"series/discharge.csv", "discharge through the sections"},
                 {"series/volumes.csv", "released, trapped, beyond, outflow"},

@@ -40,12 +40,34 @@ const std::map<std::string_view, std::string_view> units{{"wall_s", "s"},
                                                          {"volume", "m3"},
                                                          {"moving_volume", "m3"},
                                                          {"creep", "spacings/min"},
+                                                         {"stored", "m3"},
+                                                         {"capacity", "m3"},
+                                                         {"pool_level", "m"},
+                                                         {"entered", "m3"},
+                                                         {"hydrograph", "m3"},
+                                                         {"whole_hydrograph", "m3"},
+                                                         {"peak_discharge", "m3/s"},
+                                                         {"peak_time", "s"},
+                                                         {"peak_depth", "m"},
+                                                         {"peak_speed", "m/s"},
+                                                         {"peak_level", "m"},
+                                                         {"peak_force", "N"},
+                                                         {"filter", "s"},
+                                                         {"impulse", "N s"},
+                                                         {"hydrostatic", "N"},
+                                                         {"dynamic", "N"},
                                                          {"mean_dt", "s"}};
+
+std::string_view unit_of(std::string_view key) {
+  if (key.ends_with("_J")) return "J";
+  const auto unit = units.find(key);
+  return unit == units.end() ? "" : unit->second;
+}
 
 /// "boundary particles" of boundary_particles, "wall" of wall_s; file names stay as they are.
 std::string label_of(std::string key) {
   if (key.find('.') != std::string::npos) return key;
-  if (key.ends_with("_s")) key.resize(key.size() - 2);
+  if (key.ends_with("_s") || key.ends_with("_J")) key.resize(key.size() - 2);
   for (char& c : key) {
     if (c == '_') c = ' ';
   }
@@ -77,9 +99,9 @@ std::string table_text(const std::string& heading, const TomlTable& table) {
   for (const auto& [key, node] : table) {
     const std::string value = text_of(node);
     if (value.empty()) continue;
-    const auto unit = units.find(key);
-    text += fmt::format("  {:<{}} {}{}{}\n", label_of(key), width, value,
-                        unit == units.end() ? "" : " ", unit == units.end() ? "" : unit->second);
+    const std::string_view unit = unit_of(key);
+    text += fmt::format("  {:<{}} {}{}{}\n", label_of(key), width, value, unit.empty() ? "" : " ",
+                        unit);
   }
   return text;
 }
@@ -133,8 +155,9 @@ std::string size_text(std::uintmax_t bytes) {
 }
 
 std::string files_text(const fs::path& folder) {
-  constexpr std::array<std::string_view, 7> parts{
-      "index.html", "case.toml", "manifest.toml", "maps", "series", "frames", "pictures"};
+  constexpr std::array<std::string_view, 9> parts{"index.html", "case.toml", "manifest.toml",
+                                                  "maps",       "series",    "frames",
+                                                  "view",       "pictures",  "checkpoint"};
   std::string text = "\nfiles\n";
   for (const std::string_view part : parts) {
     const FileTotal total = total_of(folder / part);
