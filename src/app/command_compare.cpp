@@ -65,7 +65,7 @@ void add_compare_command(CLI::App& program, Action& action) {
                    "folder of the result; default: compare, or with a survey observed, in RUN_A")
       ->type_name("DIR");
   command->footer(
-      "Examples:\n  sabo compare with-dam without-dam\n"
+      "Examples:\n  sabo compare without-dam with-dam\n"
       "  sabo compare demo-run --observed deposit.tif --wet 0.2");
   command->callback([&action, options] { action = {"", [options] { return compare(*options); }}; });
 }

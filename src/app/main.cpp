@@ -28,7 +28,7 @@ constexpr const char* examples = R"(Examples:
   sabo report demo-run                       one page to print and to hand on
   sabo view demo-run                         the flow in 3D, in a browser
   sabo info demo-run                         what came out
-  sabo compare with-dam without-dam          what a dam changes
+  sabo compare without-dam with-dam          what a dam changes
   sabo hazard demo-run --rules japan         classes by rules that you can change
 
 Exit codes: 0 done, 2 the case or the command line is wrong, 3 the run failed, 130 interrupted.)";

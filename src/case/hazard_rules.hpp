@@ -11,8 +11,8 @@
 
 namespace sabo {
 
-/// What a rule may look at. All are greatest values of a cell over the run, taken one by one: a
-/// product of two of them is never less than the greatest product.
+/// What a rule may look at. All but the deposit are greatest values of a cell over the run, taken
+/// one by one: a product of two of them is never less than the greatest product.
 enum class HazardQuantity {
   depth,             ///< m
   deposit,           ///< depth at the end, m

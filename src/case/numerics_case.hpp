@@ -144,7 +144,8 @@ struct NumericsCase {
           .at_most(10000),
       viscous_iterations);
     v(Key{"adaptive_sound_speed", "",
-          "fast: the sound speed follows the fastest flow, down to that of the depth"},
+          "fast: the sound speed follows the fastest flow, down to that of the depth and of "
+          "reference_speed"},
       adaptive_sound_speed);
     v(Key{"wall", "",
           "fast: shear between flow and ground or dams: no_slip (that of the material), coulomb, "

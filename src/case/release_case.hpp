@@ -64,7 +64,9 @@ struct ReleaseCase {
     v(Key{"thickness_attribute", "",
           "attribute of the polygon file that holds the thickness of each polygon, m"},
       thickness_attribute);
-    v(Key{"volume", "m3", "release volume; scales the thickness, however it is given"}
+    v(Key{"volume", "m3",
+          "release volume: in place of a thickness of the polygon, or scales thickness_attribute, "
+          "thickness_raster or what lies between dem_before and dem_after"}
           .above(0)
           .at_most(1e12),
       volume);

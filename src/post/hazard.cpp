@@ -232,7 +232,12 @@ std::string hazard_rules_of(const std::string& name) {
   if (const std::string_view known = hazard_rules_text(name); !known.empty())
     return std::string(known);
   const auto text = read_file(name, max_rules);
-  if (text) return *text;
+  if (text) {
+    Faults faults;
+    read_hazard_rules(*text, name, faults);
+    faults.throw_if_any();
+    return *text;
+  }
   throw CaseError("--rules", fmt::format("\"{}\" is neither rules of the program nor a file", name),
                   "give " + words_text(known_hazard_rules()) + ", or a file");
 }
