@@ -11,42 +11,19 @@
 #include "analysis/section.hpp"
 #include "analysis/tracks.hpp"
 #include "io/output/plan_file.hpp"
+#include "run/channel.hpp"
 #include "run/finished_run.hpp"
 #include "run/flow.hpp"
 #include "run/preview.hpp"
 #include "terrain/bilinear.hpp"
 
-// Inflows into a channel of 2 m between walls on a plane of 3 deg, particles of 0.25 m.
+// Inflows into the channel, particles of 0.25 m.
 
 namespace sabo {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-const std::string channel = R"(
-[terrain.plane]
-extent = [0, 0, 11, 5]
-slope = 3
-cell_size = 0.5
-[[body]]
-kind = "box"
-min = [-1, 0, -1]
-max = [12, 1.5, 3]
-[[body]]
-kind = "box"
-min = [-1, 3.5, -1]
-max = [12, 5, 3]
-[material]
-density = 1000
-rheology = "newtonian"
-viscosity = 0.1
-)";
-/// To be followed by its discharge.
-const std::string inflow = "[[inflow]]\nname = \"apex\"\nline = [[1, 1.5], [1, 3.5]]\n";
-const std::string steady =
-    "speed = 2.5\n[[inflow.surge]]\nstart = 0\npeak_time = 0\nend = 1e6\n"
-    "peak_discharge = 5\n";  // 1 m deep
 
 Case case_of(const std::string& text, const std::string& numerics = "wall = \"slip\"\n") {
   Faults faults;

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include "io/output/read_csv.hpp"
+#include "run/channel.hpp"
 #include "run/finished_run.hpp"
 
 // docs/outputs.md against what a run of three tenths of a second writes.
@@ -22,40 +23,13 @@ namespace {
 
 using Names = std::set<std::string>;
 
-/// One of everything that is measured: an inflow into a channel between two banks, before a dam.
-const char* const channel = R"(
-[terrain.plane]
-extent = [0, 0, 11, 5]
-slope = 3
-cell_size = 0.5
+/// One of everything that is measured, in the channel with a dam across it.
+const std::string measured_channel = channel + inflow + steady + R"(
 [[structure]]
 name = "dam"
 line = [[8, 1.5], [8, 3.5]]
 height = 1
 thickness = 0.5
-[[body]]
-name = "right bank"
-kind = "box"
-min = [-1, 0, -1]
-max = [12, 1.5, 3]
-[[body]]
-name = "left bank"
-kind = "box"
-min = [-1, 3.5, -1]
-max = [12, 5, 3]
-[[inflow]]
-name = "apex"
-line = [[1, 1.5], [1, 3.5]]
-speed = 2.5
-[[inflow.surge]]
-start = 0
-peak_time = 0
-end = 100
-peak_discharge = 5
-[material]
-density = 1000
-rheology = "newtonian"
-viscosity = 0.1
 [[section]]
 name = "gate"
 line = [[4, 1.5], [4, 3.5]]
@@ -72,8 +46,8 @@ wall = "slip"
 [run]
 duration = 0.3
 )";
-constexpr std::array<std::string_view, 7> places{"dam",  "right bank", "left bank", "apex",
-                                                 "gate", "staff",      "pool"};
+constexpr std::array<std::string_view, 7> places{"dam",  "body 1", "body 2", "apex",
+                                                 "gate", "staff",  "pool"};
 
 std::string without_place(const std::string& column) {
   for (const std::string_view place : places)
@@ -126,7 +100,7 @@ std::map<std::string, Names> rows_of_page() {
 
 TEST(OutputsPage, HasEveryMapAndEveryColumnOfARun) {
   const TemporaryFolder folder;
-  folder.write("case.toml", channel);
+  folder.write("case.toml", measured_channel);
   const FinishedRun run = run_to_end(folder / "case.toml", folder / "run", {});
   ASSERT_EQ(run.result.end, RunEnd::finished) << run.result.reason;
   const std::map<std::string, Names> page = rows_of_page();
