@@ -44,9 +44,8 @@ void add_hazard_command(CLI::App& program, Action& action) {
                    "folder of the result; default: hazard in the first run")
       ->type_name("DIR");
   command->footer(
-      "What rules may look at, greatest values of a cell over the run but for deposit, the depth "
-      "at "
-      "its end:\n  depth [m], deposit [m], speed [m/s], depth_speed [m2/s], energy_head [m],\n"
+      "What rules may look at, greatest values of a cell over the run but for deposit, the depth\n"
+      "at its end:\n  depth [m], deposit [m], speed [m/s], depth_speed [m2/s], energy_head [m],\n"
       "  momentum_flux [kN/m], pressure [kPa], impact = density x speed2 [kPa],\n"
       "  impact_over_house = impact over the strength of a house, a / (H (b - H))\n\n"
       "Examples:\n  sabo hazard demo-run --rules japan\n"

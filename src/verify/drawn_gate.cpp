@@ -1,22 +1,31 @@
 #include "verify/drawn_gate.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace sabo {
 
 DrawnGate::DrawnGate(Backend& backend, const Box& closed, std::uint16_t body, double speed)
-    : backend_(backend), floor_(closed.low.z), body_(body), speed_(speed) {
+    : backend_(backend), floor_(closed.low.z), body_(body), speed_(speed), lowest_(floor_) {
   add_box(backend.boundary(), backend.model(), closed, body);
 }
 
 void DrawnGate::rise_to(double time) {
   const double edge = floor_ + speed_ * time;
+  if (edge < lowest_) return;
+  lowest_ = std::numeric_limits<double>::infinity();
   Particles& walls = backend_.boundary();
   std::vector<std::uint32_t> kept;
   kept.reserve(walls.size());
-  for (std::uint32_t i = 0; i < walls.size(); ++i)
-    if (walls.body[i] != body_ || walls.position[i].z > edge) kept.push_back(i);
+  for (std::uint32_t i = 0; i < walls.size(); ++i) {
+    const double height = walls.position[i].z;
+    const bool is_gate = walls.body[i] == body_;
+    if (is_gate && height <= edge) continue;
+    if (is_gate) lowest_ = std::min(lowest_, height);
+    kept.push_back(i);
+  }
   if (kept.size() == walls.size()) return;
   walls.permute(kept);
   backend_.find_neighbours();

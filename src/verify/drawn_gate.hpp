@@ -22,6 +22,7 @@ class DrawnGate {
   double floor_;
   std::uint16_t body_;
   double speed_;
+  double lowest_;  // what is left of it begins there or above, m
 };
 
 /// The slowest speed at which a gate counts as drawn at once: out of water of a depth (m) within

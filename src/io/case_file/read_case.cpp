@@ -160,18 +160,16 @@ class TableReader {
   const Rheology* law_ = nullptr;   ///< of a table that names a rheology
 };
 
-TomlNode& entry(TomlTable& table, const std::string& key) {
-  for (auto& [name, node] : table) {
-    if (name == key) return node;
-  }
-  table.push_back({key, {TomlTable{}, 0}});
-  return table.back().node;
-}
-
 TomlNode* existing(TomlTable& table, std::string_view key) {
   for (auto& [name, node] : table)
     if (name == key) return &node;
   return nullptr;
+}
+
+TomlNode& entry(TomlTable& table, const std::string& key) {
+  if (TomlNode* node = existing(table, key)) return *node;
+  table.push_back({key, {TomlTable{}, 0}});
+  return table.back().node;
 }
 
 /// The number within "slit[2]", if it is written like that.
