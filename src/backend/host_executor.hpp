@@ -44,6 +44,18 @@ class HostExecutor {
     return blocked_sum<Sum>(count, threads_, f);
   }
 
+  /// A sweep over the pairs of each i in [0, count); see backend/device/pair_rows.hpp.
+  template <class Sweep>
+  void sweep(std::size_t count, const Sweep& sweep) const {
+    for_each(count, [&](std::size_t i) { sweep.finish(i, sweep.sums_of(i, {})); });
+  }
+  /// The same, and the sum of what finish(i, sums, sum) adds.
+  template <class Sum, class Sweep>
+  Sum sweep_and_sum(std::size_t count, const Sweep& sweep) const {
+    return reduce<Sum>(
+        count, [&](std::size_t i, Sum& sum) { sweep.finish(i, sweep.sums_of(i, {}), sum); });
+  }
+
   template <class T>
   void zero(Array<T>& array, std::size_t count) const {
     array.assign(count, T{});

@@ -24,8 +24,10 @@ struct CardLimits {
 
 /// Numbers of fluid particles to measure with.
 std::vector<double> sizes(const BenchSettings& settings) {
-  if (settings.quick) return {2e4, 1e5};
-  return {2e4, 1e5, 1e6, 1e7, 1e8};
+  std::vector<double> counts{2e4, 1e5};
+  if (!settings.quick) counts.insert(counts.end(), {1e6, 1e7, 1e8});
+  std::erase_if(counts, [&](double count) { return count > settings.largest; });
+  return counts;
 }
 
 /// Operations of a pair. The solve takes the entries of its matrix anew: from the places 3 and the

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 
 #include "base/host_device.hpp"
 #include "physics/kernel.hpp"
@@ -51,9 +50,14 @@ class HalfSpace {
   /// belong to places within the wall.
   SABO_HD double distance(double share) const {
     if (share >= layered_.front()) return 0;
-    const auto above = std::upper_bound(layered_.begin(), layered_.end(), share, std::greater<>());
-    if (above == layered_.end()) return radius_;
-    const auto k = static_cast<int>(above - layered_.begin());
+    if (!(layered_.back() < share)) return radius_;
+    // By hand: in device code nvcc 13 loses the steps of std::upper_bound (std::advance of
+    // libstdc++ 12 compiles to nothing), without a warning.
+    int nearer = 0, k = entries;  // layered_[nearer] > share, layered_[k] < share
+    while (k - nearer > 1) {
+      const int middle = (nearer + k) / 2;
+      (layered_[middle] < share ? k : nearer) = middle;
+    }
     const double part = (layered_[k - 1] - share) / (layered_[k - 1] - layered_[k]);
     return place(k - 1) + part * (place(k) - place(k - 1));
   }

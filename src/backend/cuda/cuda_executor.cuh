@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <type_traits>
 #include <vector>
 
 #include "backend/cuda/device_array.cuh"
+#include "backend/device/pair_rows.hpp"
 
 namespace sabo {
 
@@ -37,27 +39,100 @@ __device__ Sum joined_in_block(const Sum& mine) {
 /// Blocks of a sum: enough to fill any card.
 inline constexpr std::size_t most_partial_sums = 2048;
 
-/// A partial sum for each block.
+/// A partial sum for each block; the block that ends last joins them, in the order of the blocks.
 template <class Sum, class F>
 __global__ void __launch_bounds__(block_size)
-    sum_blocks(std::size_t count, const __grid_constant__ F f, Sum* partial) {
+    sum_all(std::size_t count, const __grid_constant__ F f, Sum* partial, unsigned* blocks_done,
+            Sum* total) {
   const std::size_t stride = std::size_t{gridDim.x} * block_size;
   Sum mine;
   for (std::size_t i = std::size_t{blockIdx.x} * block_size + threadIdx.x; i < count; i += stride)
     f(i, mine);
   const Sum sum = joined_in_block(mine);
-  if (threadIdx.x == 0) partial[blockIdx.x] = sum;
+  __shared__ bool is_last;
+  if (threadIdx.x == 0) {
+    partial[blockIdx.x] = sum;
+    __threadfence();  // the sum is there before it counts as done
+    is_last = atomicAdd(blocks_done, 1u) == gridDim.x - 1;
+  }
+  __syncthreads();
+  if (!is_last) return;
+  __threadfence();
+  Sum all;
+  for (unsigned k = threadIdx.x; k < gridDim.x; k += block_size) all.join(partial[k]);
+  const Sum joined = joined_in_block(all);
+  if (threadIdx.x != 0) return;
+  *total = joined;
+  *blocks_done = 0;
 }
 
-/// The sum of the partial sums, by one block.
-template <class Sum>
-__global__ void __launch_bounds__(block_size)
-    sum_partial(std::size_t count, const Sum* partial, Sum* total) {
-  Sum mine;
-  for (std::size_t k = threadIdx.x; k < count; k += block_size) mine.join(partial[k]);
-  const Sum sum = joined_in_block(mine);
-  if (threadIdx.x == 0) *total = sum;
+/// The same words of the thread `away` threads further in the warp.
+template <class T>
+__device__ T further(const T& mine, unsigned away) {
+  static_assert(std::is_trivially_copyable_v<T> && sizeof(T) % sizeof(unsigned) == 0);
+  constexpr std::size_t words = sizeof(T) / sizeof(unsigned);
+  unsigned word[words];
+  std::memcpy(word, &mine, sizeof(T));
+  for (std::size_t w = 0; w < words; ++w) word[w] = __shfl_down_sync(~0u, word[w], away);
+  T other;
+  std::memcpy(&other, word, sizeof(T));
+  return other;
 }
+
+/// Sums over the pairs of one row by `lanes` threads side by side, in the first of them. All
+/// threads of a warp come here, those without a row as well.
+template <unsigned lanes, class Sweep>
+__device__ auto sums_of_row(std::size_t row, std::size_t count, const Sweep& sweep) {
+  using Sums = decltype(sweep.sums_of(row, RowShare{}));
+  Sums sums;
+  if (row < count) sums = sweep.sums_of(row, {threadIdx.x % lanes, lanes});
+  for (unsigned away = lanes / 2; away > 0; away /= 2) sums.join(further(sums, away));
+  return sums;
+}
+
+/// A row of pairs for every `lanes` threads.
+template <unsigned lanes, class Sweep>
+__global__ void __launch_bounds__(block_size)
+    sweep_rows(std::size_t count, const __grid_constant__ Sweep sweep) {
+  const std::size_t row = (std::size_t{blockIdx.x} * block_size + threadIdx.x) / lanes;
+  const auto sums = sums_of_row<lanes>(row, count, sweep);
+  if (row < count && threadIdx.x % lanes == 0) sweep.finish(row, sums);
+}
+
+/// A sweep over pairs as something that is summed up; `i` counts threads.
+template <unsigned lanes, class Sweep>
+struct SumOverRows {
+  std::size_t rows;
+  Sweep sweep;
+  template <class Sum>
+  __device__ void operator()(std::size_t i, Sum& sum) const {
+    const std::size_t row = i / lanes;
+    const auto sums = sums_of_row<lanes>(row, rows, sweep);
+    if (row < rows && i % lanes == 0) sweep.finish(row, sums, sum);
+  }
+};
+
+/// Calls f.operator()<lanes>() with as many threads for a row as it takes to keep a card busy;
+/// depends on the number of rows alone, as then do the bits.
+template <class F>
+void with_lanes(std::size_t rows, const F& f) {
+  constexpr std::size_t busy = 150'000;  // threads
+  if (rows >= busy) return f.template operator()<1>();
+  if (2 * rows >= busy) return f.template operator()<2>();
+  if (4 * rows >= busy) return f.template operator()<4>();
+  if (8 * rows >= busy) return f.template operator()<8>();
+  if (16 * rows >= busy) return f.template operator()<16>();
+  return f.template operator()<32>();
+}
+
+/// Where sums are added up, one at a time: all run on one stream.
+struct SumSpace {
+  static constexpr std::size_t largest = 128;  ///< bytes of a sum
+  void* partial;
+  unsigned* blocks_done;
+  void* total;  ///< on the host, in sight of the card: no copy has to be asked for
+};
+const SumSpace& sum_space();
 
 /// Runs loops on the card, one kernel each, in the order in which they are given. See HostExecutor
 /// for what the members do. Sums have a fixed order and nothing is added up atomically: the same
@@ -80,16 +155,36 @@ class CudaExecutor {
     static_assert(std::is_trivially_copyable_v<F> && sizeof(F) < 4000);
     Sum total;
     if (count == 0) return total;
-    DeviceArray<Sum> partial, sum;
+    static_assert(std::is_trivially_copyable_v<Sum> && sizeof(Sum) <= SumSpace::largest);
+    const SumSpace& space = sum_space();
     const auto sums = std::min<std::size_t>(blocks(count), most_partial_sums);
-    partial.resize(sums);
-    sum.resize(1);
-    sum_blocks<Sum><<<static_cast<unsigned>(sums), block_size>>>(count, f, partial.data());
+    sum_all<Sum><<<static_cast<unsigned>(sums), block_size>>>(
+        count, f, static_cast<Sum*>(space.partial), space.blocks_done,
+        static_cast<Sum*>(space.total));
     check_cuda(cudaGetLastError(), "kernel launch");
-    sum_partial<Sum><<<1, block_size>>>(partial.size(), partial.data(), sum.data());
-    check_cuda(cudaGetLastError(), "kernel launch");
-    fetch(sum.data(), 1, &total);
+    check_cuda(cudaStreamSynchronize(nullptr), "pass");
+    std::memcpy(static_cast<void*>(&total), space.total, sizeof(Sum));
     return total;
+  }
+
+  template <class Sweep>
+  void sweep(std::size_t count, const Sweep& sweep) const {
+    static_assert(std::is_trivially_copyable_v<Sweep> && sizeof(Sweep) < 4000);
+    if (count == 0) return;
+    with_lanes(count, [&]<unsigned lanes>() {
+      sweep_rows<lanes><<<blocks(count * lanes), block_size>>>(count, sweep);
+    });
+    check_cuda(cudaGetLastError(), "kernel launch");
+  }
+  template <class Sum, class Sweep>
+  Sum sweep_and_sum(std::size_t count, const Sweep& sweep) const {
+    Sum sum;
+    with_lanes(count, [&]<unsigned lanes>() {
+      // Whole warps.
+      const std::size_t threads = (count * lanes + 31) / 32 * 32;
+      sum = reduce<Sum>(threads, SumOverRows<lanes, Sweep>{count, sweep});
+    });
+    return sum;
   }
 
   template <class T>

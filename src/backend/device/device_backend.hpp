@@ -119,6 +119,11 @@ class DeviceBackend : public Backend {
   void over_awake(const F& f) const {
     on_.for_each(awake_.size(), AtRow<F>{awake_.data(), f});
   }
+  /// A sweep over the pairs of some particles.
+  template <class Sweep>
+  void sweep_over(const Array<std::uint32_t>& particles, const Sweep& sweep) const {
+    on_.sweep(particles.size(), SweepAtRow<Sweep>{particles.data(), sweep});
+  }
   template <class F>
   void over_driven(const F& f) const {
     on_.for_each(driven_.size(), AtRow<F>{driven_.data(), f});

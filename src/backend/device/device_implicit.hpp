@@ -18,9 +18,8 @@ void DeviceBackend<Executor>::wall_pressure() {
   if (flow_records_.size() != all()) on_.zero(flow_records_, all());
   if (wall_weight_.size() != boundary_.size()) on_.reserve(wall_weight_, boundary_.size());
   on_.for_each(fluid_.size(), PackFlow{packer(), view(), flow_records_.data()});
-  using Sweep = WallPressureSweep;
-  const Sweep sweep{pair_sums(), packer(), view(), flow_records_.data(), wall_weight_.data()};
-  on_.for_each(touched_.size(), AtRow<Sweep>{touched_.data(), sweep});
+  sweep_over(touched_, WallPressureSweep{pair_sums(), packer(), view(), flow_records_.data(),
+                                         wall_weight_.data()});
   boundary_copy_.outdate();
 }
 
@@ -46,7 +45,8 @@ void DeviceBackend<Executor>::near_forces() {
   {
     const Clock clock(*this, "force and matrix", fluid_pairs_);
     const auto sweep = [&]<bool with_motion>() {
-      over_awake(NearForceSweep<with_motion>{pair_sums(), flow_records_.data(), motion_.data(),
+      sweep_over(awake_,
+                 NearForceSweep<with_motion>{pair_sums(), flow_records_.data(), motion_.data(),
                                              view(), velocity_step_.conductance_sum.data()});
     };
     needs_motion ? sweep.template operator()<true>() : sweep.template operator()<false>();
@@ -76,7 +76,7 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double toleran
     const ViscousProduct product{
         pair_sums(), flow_records_.data(), awake_.data(), solver.direction.data(), mass, drag,
         float(dt),   solver.product.data()};
-    return on_.template reduce<Dot>(awake_.size(), product);
+    return on_.template sweep_and_sum<Dot>(awake_.size(), product);
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), awake(), driven(), dt, tolerance,
                                                       most_iterations, multiply);
@@ -93,12 +93,11 @@ void DeviceBackend<Executor>::near_motion() {
     const Clock clock(*this, "wall closing", boundary_pairs_);
     pack_motion_beside();
     if (closings_.size() != boundary_.size()) on_.zero(closings_, boundary_.size());
-    using Sweep = WallClosingSweep;
-    const Sweep sweep{pair_sums(), motion_.data(), view(), wall_weight_.data(), closings_.data()};
-    on_.for_each(touched_.size(), AtRow<Sweep>{touched_.data(), sweep});
+    sweep_over(touched_, WallClosingSweep{pair_sums(), motion_.data(), view(), wall_weight_.data(),
+                                          closings_.data()});
   }
   const Clock clock(*this, "near motion", fluid_pairs_);
-  over_awake(NearMotionSweep{pair_sums(), motion_.data(), closings_.data(), view()});
+  sweep_over(awake_, NearMotionSweep{pair_sums(), motion_.data(), closings_.data(), view()});
 }
 
 /// Before the flow moves them: all sums of the step are of the places that particles have now.

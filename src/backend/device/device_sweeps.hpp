@@ -34,8 +34,8 @@ void DeviceBackend<Executor>::strain_and_density_rates() {
   need_explicit_arrays();
   pack_motion();
   const Clock clock(*this, "motion sweep", fluid_pairs_ + boundary_pairs_);
-  on_.for_each(all(), MotionSweep{pair_sums(), motion_.data(), strain_.data(), density_rate_.data(),
-                                  diffusion_rate_.data()});
+  on_.sweep(all(), MotionSweep{pair_sums(), motion_.data(), strain_.data(), density_rate_.data(),
+                               diffusion_rate_.data()});
 }
 
 template <class Executor>
@@ -61,8 +61,8 @@ void DeviceBackend<Executor>::momentum() {
   {
     const Clock clock(*this, "force sweep", fluid_pairs_);
     const auto sweep = [&]<bool two_point, bool artificial>() {
-      on_.for_each(fluid_.size(),
-                   ForceSweep<two_point, artificial>{pair_sums(), stress_records_.data(), view()});
+      on_.sweep(fluid_.size(),
+                ForceSweep<two_point, artificial>{pair_sums(), stress_records_.data(), view()});
     };
     const bool artificial = model_.artificial_viscosity > 0;
     if (model_.viscous_operator == ViscousOperator::morris)

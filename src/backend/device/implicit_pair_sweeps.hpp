@@ -43,7 +43,15 @@ struct WallPressureSweep {
   FlowRecord* records;
   float* weights;  ///< by boundary particle
 
-  SABO_HD void operator()(std::size_t b) const {
+  struct Sums {
+    float weight = 0, pressure = 0;
+    SABO_HD void join(const Sums& other) {
+      weight += other.weight;
+      pressure += other.pressure;
+    }
+  };
+
+  SABO_HD Sums sums_of(std::size_t b, RowShare share) const {
     const PairScale& scale = pairs.scale;
     const std::size_t i = flow.fluid_count + b;
     const IntegerPlace me = pack.place(flow.boundary.position[b]);
@@ -51,20 +59,23 @@ struct WallPressureSweep {
         in_single(flow.model.gravity) - scale.central * scale.from_origin(me.x, me.y, me.z);
     const auto kernel = pairs.kernel();
     const float rho2 = scale.rho0 * scale.rho0;
-    float weight = 0, pressure = 0;
-    for (std::uint32_t k = 0; k < pairs.rows.fluid[i]; ++k) {
+    Sums sums;
+    for (std::uint32_t k = share.first; k < pairs.rows.fluid[i]; k += share.stride) {
       const FlowRecord j = records[pairs.rows.at(i, k)];
       const Vec3f x = pairs.separation(me, j);
       const float w = kernel.value(norm(x));
-      weight += w;
-      pressure += w * (j.pressure * rho2 + j.density * dot(force, x));
+      sums.weight += w;
+      sums.pressure += w * (j.pressure * rho2 + j.density * dot(force, x));
     }
-    weights[b] = weight;
-    const double mean = weight > 0 ? pressure / weight : 0.0f;
+    return sums;
+  }
+  SABO_HD void finish(std::size_t b, const Sums& sums) const {
+    weights[b] = sums.weight;
+    const double mean = sums.weight > 0 ? sums.pressure / sums.weight : 0.0f;
     // A wall does not pull.
     flow.boundary.pressure[b] = larger(mean, 0.0);
     flow.boundary.density[b] = flow.model.state.density(flow.boundary.pressure[b]);
-    records[i] = pack.flow(flow.boundary, b);
+    records[flow.fluid_count + b] = pack.flow(flow.boundary, b);
   }
 };
 
@@ -102,15 +113,29 @@ struct NearForceSweep {
     float conductance = 0, artificial_heat = 0;
     float filling = 0, share = 0;
     Vec3f filling_gradient, gradient, wall_velocity;
+    SABO_HD void join(const Sums& other) {
+      acceleration += other.acceleration;
+      conductance += other.conductance;
+      artificial_heat += other.artificial_heat;
+      filling += other.filling;
+      share += other.share;
+      filling_gradient += other.filling_gradient;
+      gradient += other.gradient;
+      wall_velocity += other.wall_velocity;
+    }
   };
 
-  SABO_HD void operator()(std::size_t i) const {
+  SABO_HD Sums sums_of(std::size_t i, RowShare share) const {
     const std::uint32_t fluid = pairs.rows.fluid[i], count = pairs.rows.count[i];
     const FlowRecord me = records[i];
     Sums sums;
-    for (std::uint32_t k = 0; k < fluid; ++k) add_fluid(i, me, pairs.rows.at(i, k), sums);
-    for (std::uint32_t k = fluid; k < count; ++k) add_wall(me, pairs.rows.at(i, k), sums);
-    const float own = pairs.scale.kernel_alpha * me.volume;  // W(0) V
+    std::uint32_t k = share.first;
+    for (; k < fluid; k += share.stride) add_fluid(i, me, pairs.rows.at(i, k), sums);
+    for (; k < count; k += share.stride) add_wall(me, pairs.rows.at(i, k), sums);
+    return sums;
+  }
+  SABO_HD void finish(std::size_t i, const Sums& sums) const {
+    const float own = pairs.scale.kernel_alpha * records[i].volume;  // W(0) V
     flow.acceleration[i] =
         flow.model.body_force(flow.fluid.position[i]) + in_double(sums.acceleration);
     if constexpr (with_motion)
@@ -162,18 +187,29 @@ struct ViscousProduct {
   float dt;
   Quad<float>* q;
 
-  SABO_HD void operator()(std::size_t place, Dot& sum) const {
+  struct Sums {
+    Vec3f flow;
+    SABO_HD void join(const Sums& other) { flow += other.flow; }
+  };
+
+  SABO_HD Sums sums_of(std::size_t place, RowShare share) const {
     const std::size_t i = rows[place];
     const FlowRecord me = records[i];
     const Quad<float> mine = p[i];
-    Vec3f flow{drag[i] * mine.x, drag[i] * mine.y, drag[i] * mine.z};
-    for (std::uint32_t k = 0; k < pairs.rows.fluid[i]; ++k) {
+    Sums sums;
+    for (std::uint32_t k = share.first; k < pairs.rows.fluid[i]; k += share.stride) {
       const std::uint32_t index = pairs.rows.at(i, k);
       const FlowRecord j = records[index];
       const Quad<float> other = p[index];
       const float a = conductance(pairs.geometry(me, j), me, j);
-      flow += a * Vec3f{mine.x - other.x, mine.y - other.y, mine.z - other.z};
+      sums.flow += a * Vec3f{mine.x - other.x, mine.y - other.y, mine.z - other.z};
     }
+    return sums;
+  }
+  SABO_HD void finish(std::size_t place, const Sums& sums, Dot& sum) const {
+    const std::size_t i = rows[place];
+    const Quad<float> mine = p[i];
+    const Vec3f flow = Vec3f{drag[i] * mine.x, drag[i] * mine.y, drag[i] * mine.z} + sums.flow;
     const Quad<float> result{mass[i] * mine.x + dt * flow.x, mass[i] * mine.y + dt * flow.y,
                              mass[i] * mine.z + dt * flow.z};
     q[i] = result;
@@ -189,22 +225,35 @@ struct WallClosingSweep {
   const float* weights;
   ClosingRecord* closings;  ///< by boundary particle
 
-  SABO_HD void operator()(std::size_t b) const {
-    closings[b] = {};
-    if (!(flow.boundary.pressure[b] > 0)) return;
+  struct Sums {
+    float rate = 0;
+    Vec3f gradient;
+    SABO_HD void join(const Sums& other) {
+      rate += other.rate;
+      gradient += other.gradient;
+    }
+  };
+
+  SABO_HD Sums sums_of(std::size_t b, RowShare share) const {
+    Sums sums;
+    if (!(flow.boundary.pressure[b] > 0)) return sums;
     const std::size_t i = flow.fluid_count + b;
     const MotionRecord me = records[i];
     const Vec3f velocity = PairSums::velocity(me);
-    float rate = 0;
-    Vec3f gradient;
-    for (std::uint32_t k = 0; k < pairs.rows.fluid[i]; ++k) {
+    for (std::uint32_t k = share.first; k < pairs.rows.fluid[i]; k += share.stride) {
       const MotionRecord j = records[pairs.rows.at(i, k)];
       const auto pair = pairs.geometry(me, j);
-      rate += closing(pair, velocity - PairSums::velocity(j));
-      gradient += pair.gradient * pair.x;
+      sums.rate += closing(pair, velocity - PairSums::velocity(j));
+      sums.gradient += pair.gradient * pair.x;
     }
+    return sums;
+  }
+  SABO_HD void finish(std::size_t b, const Sums& sums) const {
+    closings[b] = {};
+    if (!(flow.boundary.pressure[b] > 0)) return;
     const float scale = 1 / weights[b];
-    closings[b] = {scale * rate, scale * gradient.x, scale * gradient.y, scale * gradient.z, {}};
+    const Vec3f gradient = scale * sums.gradient;
+    closings[b] = {scale * sums.rate, gradient.x, gradient.y, gradient.z, {}};
   }
 };
 
@@ -218,28 +267,40 @@ struct NearMotionSweep {
   struct Sums {
     Sym3<float> eps;
     float rate = 0, diffusion_rate = 0, wall_rate = 0, support = 0;
+    SABO_HD void join(const Sums& other) {
+      eps += other.eps;
+      rate += other.rate;
+      diffusion_rate += other.diffusion_rate;
+      wall_rate += other.wall_rate;
+      support += other.support;
+    }
   };
 
-  SABO_HD void operator()(std::size_t i) const {
+  SABO_HD Sums sums_of(std::size_t i, RowShare share) const {
     const MotionRecord me = records[i];
     Sums sums;
-    add_fluid(i, me, sums);
-    add_walls(i, me, sums);
+    std::uint32_t k = share.first;
+    add_fluid(i, me, k, share.stride, sums);
+    add_walls(i, me, k, share.stride, sums);
+    return sums;
+  }
+  SABO_HD void finish(std::size_t i, const Sums& sums) const {
     const float support = sums.support * (-1.0f / static_cast<float>(pairs.scale.dimension));
     // Where a part of the kernel is empty every derivative comes out too small by about that part.
     const double scale = 1 / larger(support, 0.4f);
     flow.strain[i] = scale * in_double(sums.eps);
     flow.diffusion_rate[i] = sums.diffusion_rate;
-    flow.density_rate[i] = sums.rate + sums.diffusion_rate + one_sided(sums.wall_rate, me.excess);
+    flow.density_rate[i] = sums.rate + sums.diffusion_rate + one_sided(sums.wall_rate, records[i].excess);
     flow.support[i] = support;
   }
 
  private:
-  SABO_HD void add_fluid(std::size_t i, const MotionRecord& me, Sums& sums) const {
+  SABO_HD void add_fluid(std::size_t i, const MotionRecord& me, std::uint32_t& k,
+                         std::uint32_t stride, Sums& sums) const {
     const Vec3f velocity = PairSums::velocity(me);
     const auto diffusion =
         pairs.diffusion(flow.background ? in_single(flow.background[i]) : Vec3f{});
-    for (std::uint32_t k = 0; k < pairs.rows.fluid[i]; ++k) {
+    for (; k < pairs.rows.fluid[i]; k += stride) {
       const MotionRecord j = records[pairs.rows.at(i, k)];
       const auto pair = pairs.geometry(me, j);
       const Vec3f v = velocity - PairSums::velocity(j);
@@ -253,13 +314,14 @@ struct NearMotionSweep {
 
   /// The flow goes on into the wall as it comes from it, through the wall's velocity at the wall
   /// (Morris et al. 1997): the difference grows with the distance along the normal.
-  SABO_HD void add_walls(std::size_t i, const MotionRecord& me, Sums& sums) const {
+  SABO_HD void add_walls(std::size_t i, const MotionRecord& me, std::uint32_t k,
+                         std::uint32_t stride, Sums& sums) const {
     const Vec3f velocity = PairSums::velocity(me);
     const Vec3d& n = flow.wall_slope[i];
     const Vec3f slope = in_single(n);
     const Vec3f normal = in_single(norm(n) > 0 ? normalised(n) : n);
     const auto kernel = pairs.kernel();
-    for (std::uint32_t k = pairs.rows.fluid[i]; k < pairs.rows.count[i]; ++k) {
+    for (; k < pairs.rows.count[i]; k += stride) {
       const std::uint32_t index = pairs.rows.at(i, k);
       const MotionRecord j = records[index];
       const auto pair = pairs.geometry(me, j);

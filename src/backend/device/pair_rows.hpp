@@ -23,6 +23,28 @@ struct PairRows {
   }
 };
 
+/// A sweep over the pairs of a particle is a sum and what comes of it. Where particles are few,
+/// several threads of a device share a row: each sums up every stride-th neighbour, from its first.
+///   sums_of(i, share)   sums over a share of the pairs of particle i; they join()
+///   finish(i, sums)     takes the sums over all of them
+struct RowShare {
+  std::uint32_t first = 0, stride = 1;
+};
+
+/// A sweep over pairs at the k-th of some rows.
+template <class Sweep>
+struct SweepAtRow {
+  const std::uint32_t* index;
+  Sweep sweep;
+  SABO_HD auto sums_of(std::size_t k, RowShare share) const {
+    return sweep.sums_of(std::size_t{index[k]}, share);
+  }
+  template <class Sums>
+  SABO_HD void finish(std::size_t k, const Sums& sums) const {
+    sweep.finish(std::size_t{index[k]}, sums);
+  }
+};
+
 /// Calls f(j) for the fluid near a particle.
 struct RowNear {
   PairRows rows;

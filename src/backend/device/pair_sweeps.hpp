@@ -65,7 +65,17 @@ struct MotionSweep {
   double* density_rate;
   double* diffusion_rate;  ///< of the fluid
 
-  SABO_HD void operator()(std::size_t i) const {
+  struct Sums {
+    Sym3<float> eps;
+    float rate = 0, diffused = 0;
+    SABO_HD void join(const Sums& other) {
+      eps += other.eps;
+      rate += other.rate;
+      diffused += other.diffused;
+    }
+  };
+
+  SABO_HD Sums sums_of(std::size_t i, RowShare share) const {
     const PairScale& scale = pairs.scale;
     const MotionRecord me = records[i];
     const Vec3f velocity = PairSums::velocity(me);
@@ -73,22 +83,24 @@ struct MotionSweep {
     const auto diffusion = pairs.diffusion(
         scale.hydrostatic - scale.hydrostatic_slope * scale.from_origin(me.x, me.y, me.z));
     const std::uint32_t fluid = pairs.rows.fluid[i], count = pairs.rows.count[i];
-    Sym3<float> eps;
-    float rate = 0, diffused = 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
+    Sums sums;
+    for (std::uint32_t k = share.first; k < count; k += share.stride) {
       const MotionRecord j = records[pairs.rows.at(i, k)];
       const auto pair = pairs.geometry(me, j);
       const Vec3f v = velocity - PairSums::velocity(j);
       const float mass = pairs.mass(j);
       const bool across_wall = is_fluid != (k < fluid);
       const float wall = across_wall ? scale.wall_velocity_factor : 1.0f;
-      rate += continuity(pair, v, mass);
-      if (is_fluid && !across_wall) diffused += diffusion(pair, me.excess, j.excess, mass);
-      eps += strain_rate(pair, wall * v, j.volume);
+      sums.rate += continuity(pair, v, mass);
+      if (is_fluid && !across_wall) sums.diffused += diffusion(pair, me.excess, j.excess, mass);
+      sums.eps += strain_rate(pair, wall * v, j.volume);
     }
-    strain[i] = in_double(eps);
-    density_rate[i] = rate + diffused;
-    if (is_fluid) diffusion_rate[i] = diffused;
+    return sums;
+  }
+  SABO_HD void finish(std::size_t i, const Sums& sums) const {
+    strain[i] = in_double(sums.eps);
+    density_rate[i] = sums.rate + sums.diffused;
+    if (i < pairs.fluid_count) diffusion_rate[i] = sums.diffused;
   }
 };
 
@@ -100,20 +112,30 @@ struct ForceSweep {
   const StressRecord* records;
   FlowView flow;
 
-  SABO_HD void operator()(std::size_t i) const {
+  struct Sums {
+    Vec3f acceleration;
+    float power = 0, wall_heat = 0;
+    SABO_HD void join(const Sums& other) {
+      acceleration += other.acceleration;
+      power += other.power;
+      wall_heat += other.wall_heat;
+    }
+  };
+
+  SABO_HD Sums sums_of(std::size_t i, RowShare share) const {
     const PairScale& scale = pairs.scale;
     const StressRecord me = records[i];
     const Vec3f velocity = PairSums::velocity(me);
     const std::uint32_t fluid = pairs.rows.fluid[i], count = pairs.rows.count[i];
-    Vec3f a;
-    float power = 0, wall_heat = 0;
-    for (std::uint32_t k = 0; k < count; ++k) {
+    Sums sums;
+    Vec3f& a = sums.acceleration;
+    for (std::uint32_t k = share.first; k < count; k += share.stride) {
       const StressRecord j = records[pairs.rows.at(i, k)];
       const auto pair = pairs.geometry(me, j);
       a += stress_force(pair, stress(me), stress(j), j.mass);
-      power += pressure_power(pair, velocity, me.pressure, j.pressure, j.mass);
+      sums.power += pressure_power(pair, velocity, me.pressure, j.pressure, j.mass);
       if (k >= fluid)
-        wall_heat +=
+        sums.wall_heat +=
             pressure_loss(pair, velocity, PairSums::velocity(j), me.pressure, j.pressure, j.mass);
       const Vec3f v = velocity - PairSums::velocity(j);
       if constexpr (two_point) {
@@ -126,9 +148,13 @@ struct ForceSweep {
                                   scale.eta2)
                  .acceleration;
     }
-    flow.acceleration[i] = flow.model.body_force(flow.fluid.position[i]) + in_double(a);
-    flow.pressure_power[i] = power;
-    flow.wall_heat[i] = wall_heat;
+    return sums;
+  }
+  SABO_HD void finish(std::size_t i, const Sums& sums) const {
+    flow.acceleration[i] =
+        flow.model.body_force(flow.fluid.position[i]) + in_double(sums.acceleration);
+    flow.pressure_power[i] = sums.power;
+    flow.wall_heat[i] = sums.wall_heat;
   }
 
  private:
