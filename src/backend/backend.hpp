@@ -54,6 +54,8 @@ class Backend {
   /// May be a copy, which holds what it held when it was asked for: ask again after a sweep.
   virtual Particles& fluid() = 0;
   virtual Particles& boundary() = 0;
+  /// Where the fluid is: less than all that fluid() fetches, and nothing to hand back.
+  virtual const std::vector<Vec3d>& positions() = 0;
 
   /// Lets a function change place and velocity of the driven particles, all of which are among
   /// those that it is given; neighbours need not be found anew.

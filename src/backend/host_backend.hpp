@@ -17,6 +17,7 @@ class HostBackend : public Backend {
   explicit HostBackend(const FlowModel& model);
 
   Particles& fluid() override { return fluid_; }
+  const std::vector<Vec3d>& positions() override { return fluid_.position; }
   Particles& boundary() override { return boundary_; }
   void change_driven(const std::function<void(Particles&)>& change) override { change(fluid_); }
   std::size_t fluid_count() const override { return fluid_.size(); }

@@ -28,30 +28,36 @@ void Domain::advance_inflows(Particles& fluid, const Tait& state, double time, d
   }
 }
 
-void Domain::update(Particles& fluid, Particles& boundary, double reach) {
-  std::vector<std::uint32_t> staying;
-  std::vector<std::uint32_t> leaving;
-  staying.reserve(fluid.size());
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const Vec3d& x = fluid.position[i];
+void Domain::update(Backend& backend) {
+  std::vector<std::uint32_t> staying, leaving;
+  std::vector<Sunk> sunk;
+  const std::vector<Vec3d>& places = backend.positions();
+  staying.reserve(places.size());
+  for (std::uint32_t i = 0; i < places.size(); ++i) {
+    const Vec3d& x = places[i];
     const bool stays = ground_.surface().inside(x.x, x.y);
-    (stays ? staying : leaving).push_back(static_cast<std::uint32_t>(i));
-    if (stays && fluid.driven[i] == 0 && ground_.is_solid(x)) put_back(fluid, i);
+    (stays ? staying : leaving).push_back(i);
+    if (!stays || !ground_.is_solid(x)) continue;
+    const Vec3d way_out = ground_.pushed_out(x) - x;
+    if (!(norm(way_out) < tolerated_depth * ground_.spacing())) sunk.push_back({i, way_out});
   }
-  if (!leaving.empty()) {
+  if (!leaving.empty() || !sunk.empty()) {
+    Particles& fluid = backend.fluid();
+    for (const Sunk& particle : sunk)
+      if (fluid.driven[particle.row] == 0) put_back(fluid, particle);
     departed_.append(fluid, leaving);
-    fluid.permute(staying);
+    if (!leaving.empty()) fluid.permute(staying);
   }
-  ground_.follow(fluid.position, reach, boundary);
+  ground_.follow(backend.positions(), backend.list_radius(),
+                 [&]() -> Particles& { return backend.boundary(); });
 }
 
-void Domain::put_back(Particles& fluid, std::size_t i) {
-  const Vec3d way_out = ground_.pushed_out(fluid.position[i]) - fluid.position[i];
-  if (norm(way_out) < tolerated_depth * ground_.spacing()) return;
-  fluid.position[i] += way_out;
+void Domain::put_back(Particles& fluid, const Sunk& sunk) {
+  fluid.position[sunk.row] += sunk.way_out;
   // It may slide on, but not back in.
-  const double inward = std::min(0.0, dot(fluid.velocity[i], way_out));
-  fluid.velocity[i] -= (inward / dot(way_out, way_out)) * way_out;
+  Vec3d& velocity = fluid.velocity[sunk.row];
+  const double inward = std::min(0.0, dot(velocity, sunk.way_out));
+  velocity -= (inward / dot(sunk.way_out, sunk.way_out)) * sunk.way_out;
   ++put_back_count_;
 }
 

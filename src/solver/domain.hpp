@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "backend/backend.hpp"
 #include "particles/particles.hpp"
 #include "physics/equation_of_state.hpp"
 #include "solver/inflow.hpp"
@@ -20,10 +21,12 @@ class Domain {
   /// Inflows number their particles from `next_id` on; the plans, if any, must outlive the domain.
   Domain(Ground& ground, const std::vector<InflowPlan>& inflows, std::uint32_t next_id);
 
-  /// Takes particles that left the DEM out of `fluid`, puts those found in the ground, a dam or
+  /// Takes particles that left the DEM out of the fluid, puts those found in the ground, a dam or
   /// a body, by more than a tenth of a spacing, back outside (both are counted) and makes the
-  /// ground within `reach` (m) of the rest. Called each time the neighbour list is renewed.
-  void update(Particles& fluid, Particles& boundary, double reach);
+  /// ground within the radius of the list of the rest. Called each time the neighbour list is
+  /// renewed. Particles are asked for, and then have to be handed back to a device, only where
+  /// something changes.
+  void update(Backend& backend);
 
   /// Whether some inflow may bring particles or set some free after a step of `dt` (s): then it
   /// needs the whole fluid, and neighbours must be renewed before the next step.
@@ -57,7 +60,12 @@ class Domain {
   }
 
  private:
-  void put_back(Particles& fluid, std::size_t i);
+  /// A particle found in a solid, and how it gets out.
+  struct Sunk {
+    std::uint32_t row;
+    Vec3d way_out;  ///< m
+  };
+  void put_back(Particles& fluid, const Sunk& sunk);
 
   Ground& ground_;
   std::vector<Inflow> inflows_;

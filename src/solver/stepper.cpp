@@ -38,7 +38,7 @@ void Stepper::advance_inflows(double dt) {
 void Stepper::renew_neighbours() {
   if (domain_) {
     const PassClock clock(backend_.pass_times(), "ground");
-    domain_->update(backend_.fluid(), backend_.boundary(), backend_.list_radius());
+    domain_->update(backend_);
   }
   backend_.find_neighbours();
   particles_changed_ = false;

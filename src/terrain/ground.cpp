@@ -115,7 +115,8 @@ std::int64_t Ground::tile_at(double x, double y) const {
   return key_of(tile.west, tile.south);
 }
 
-bool Ground::follow(const std::vector<Vec3d>& fluid, double reach, Particles& boundary) {
+bool Ground::follow(const std::vector<Vec3d>& fluid, double reach,
+                    const std::function<Particles&()>& boundary) {
   const std::vector<std::int64_t> wanted = tiles_near(fluid, reach);
   const std::vector<Tile> dropped = drop_tiles_except(wanted);
   if (!dropped.empty()) {
@@ -125,11 +126,12 @@ bool Ground::follow(const std::vector<Vec3d>& fluid, double reach, Particles& bo
                            [](std::uint32_t value, const Tile& t) { return value < t.first_id; });
       return after != dropped.begin() && id - std::prev(after)->first_id < std::prev(after)->count;
     };
+    Particles& present = boundary();
     std::vector<std::uint32_t> kept;
-    for (std::uint32_t k = 0; k < boundary.size(); ++k) {
-      if (!is_dropped(boundary.id[k])) kept.push_back(k);
+    for (std::uint32_t k = 0; k < present.size(); ++k) {
+      if (!is_dropped(present.id[k])) kept.push_back(k);
     }
-    boundary.permute(kept);
+    present.permute(kept);
   }
 
   std::vector<GroundPoint> made;
@@ -141,7 +143,7 @@ bool Ground::follow(const std::vector<Vec3d>& fluid, double reach, Particles& bo
     tile->second = {next_id_ + static_cast<std::uint32_t>(before),
                     static_cast<std::uint32_t>(made.size() - before)};
   }
-  append(made, boundary);
+  if (!made.empty()) append(made, boundary());
   return !dropped.empty() || !made.empty();
 }
 

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <vector>
 
@@ -28,7 +29,12 @@ class Ground {
   /// Makes the tiles within `reach` (m, in plan) of any fluid particle and drops the others.
   /// `boundary` holds what the last call left there, in any order and with its fields advanced by
   /// the solver: kept particles keep all their fields. Returns whether the set changed.
-  bool follow(const std::vector<Vec3d>& fluid, double reach, Particles& boundary);
+  /// The boundary is asked for only where it does.
+  bool follow(const std::vector<Vec3d>& fluid, double reach,
+              const std::function<Particles&()>& boundary);
+  bool follow(const std::vector<Vec3d>& fluid, double reach, Particles& boundary) {
+    return follow(fluid, reach, [&]() -> Particles& { return boundary; });
+  }
 
   /// Appends every lattice column of the terrain whose centre lies in a rectangle, for periodic
   /// set-ups, without dams and without columns beyond an edge of the domain. follow() knows nothing

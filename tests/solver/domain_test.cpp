@@ -15,8 +15,9 @@ Surface level_floor() {
   return Surface(Raster(grid, 0.0));
 }
 
-Particles particles_at(const std::vector<Vec3d>& positions) {
-  Particles p;
+std::unique_ptr<Backend> flow_at(const std::vector<Vec3d>& positions) {
+  auto backend = test::make_backend(test::On::reference, test::plain_model(0.5, 60, 50));
+  Particles& p = backend->fluid();
   p.resize(positions.size());
   p.position = positions;
   for (std::size_t i = 0; i < positions.size(); ++i) {
@@ -24,15 +25,16 @@ Particles particles_at(const std::vector<Vec3d>& positions) {
     p.velocity[i] = {1, 1, -1};
     p.id[i] = static_cast<std::uint32_t>(i);
   }
-  return p;
+  return backend;
 }
 
 TEST(Domain, TakesOutWhatLeftThePlan) {
   const Surface floor = level_floor();
   Ground ground(floor, {}, {0.5, 3, 1000});
   Domain domain(ground);
-  Particles fluid = particles_at({{0, 0, 1}, {25, 0, 1}, {0, -25, 1}}), boundary;
-  domain.update(fluid, boundary, 2);
+  const auto flow = flow_at({{0, 0, 1}, {25, 0, 1}, {0, -25, 1}});
+  domain.update(*flow);
+  const Particles& fluid = flow->fluid();
   ASSERT_EQ(fluid.size(), 1u);
   EXPECT_EQ(fluid.id[0], 0u);
   const Particles departed = domain.take_departed();
@@ -45,8 +47,9 @@ TEST(Domain, PutsBackWhatIsBelowTheGroundAndCountsIt) {
   const Surface floor = level_floor();
   Ground ground(floor, {}, {0.5, 3, 1000});
   Domain domain(ground);
-  Particles fluid = particles_at({{0, 0, -0.2}, {1, 0, 0.2}}), boundary;
-  domain.update(fluid, boundary, 2);
+  const auto flow = flow_at({{0, 0, -0.2}, {1, 0, 0.2}});
+  domain.update(*flow);
+  const Particles& fluid = flow->fluid();
   EXPECT_EQ(domain.put_back_count(), 1u);
   EXPECT_GE(fluid.position[0].z, 0);
   EXPECT_NEAR(fluid.position[0].z, 0, 0.01);
@@ -59,12 +62,13 @@ TEST(Domain, MakesGroundOnlyNearTheFlow) {
   const Surface floor = level_floor();
   Ground ground(floor, {}, {0.5, 3, 1000});
   Domain domain(ground);
-  Particles fluid = particles_at({{-8, -8, 1}}), boundary;
-  domain.update(fluid, boundary, 2);
+  const auto flow = flow_at({{-8, -8, 1}});
+  const Particles& boundary = flow->boundary();
+  domain.update(*flow);
   EXPECT_GT(boundary.size(), 50u);
   for (const Vec3d& x : boundary.position) EXPECT_LT(x.x, 0);
-  fluid.position[0] = {8, 8, 1};
-  domain.update(fluid, boundary, 2);
+  flow->fluid().position[0] = {8, 8, 1};
+  domain.update(*flow);
   EXPECT_GT(boundary.size(), 50u);
   for (const Vec3d& x : boundary.position) EXPECT_GT(x.x, 0);
 }

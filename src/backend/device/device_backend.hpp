@@ -32,6 +32,7 @@ class DeviceBackend : public Backend {
 
   Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
+  const std::vector<Vec3d>& positions() override;
 
   void change_driven(const std::function<void(Particles&)>& change) override;
 
@@ -202,6 +203,7 @@ class DeviceBackend : public Backend {
   Array<Vec3d> row_forces_;
   std::vector<Vec3d> row_forces_copy_;
 
+  std::vector<Vec3d> positions_copy_;
   mutable std::vector<Vec3d> accelerations_copy_;
   mutable std::vector<double> density_rates_copy_;
 };

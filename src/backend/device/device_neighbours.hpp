@@ -38,6 +38,13 @@ Particles& DeviceBackend<Executor>::fetched(DeviceParticles<Executor>& from, Cop
 }
 
 template <class Executor>
+const std::vector<Vec3d>& DeviceBackend<Executor>::positions() {
+  if (fluid_copy_.is_current) return fluid_copy_.particles.position;
+  on_.download(fluid_.position, positions_copy_);
+  return positions_copy_;
+}
+
+template <class Executor>
 template <class T>
 void DeviceBackend<Executor>::fetch_driven(const Array<T>& from, std::vector<T>& to) const {
   Array<T> gathered;
