@@ -145,7 +145,7 @@ class Backend {
   virtual std::size_t device_bytes() const { return 0; }
 
   /// Time that each pass has taken; others, as the solver, may clock theirs here as well.
-  PassTimes& pass_times() { return pass_times_; }
+  virtual PassTimes& pass_times() { return pass_times_; }
 
   /// The state between two steps. What is read, by a backend of the same kind and model, goes on
   /// with the same bits. Throws RunError for what cannot be a state.

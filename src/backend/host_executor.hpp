@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <cstring>
@@ -100,6 +101,13 @@ class HostExecutor {
   /// Each value becomes the sum of those before it.
   void scan(Array<std::uint64_t>& values) const {
     std::exclusive_scan(values.begin(), values.end(), values.begin(), std::uint64_t{0});
+  }
+
+  /// A place in the order of the work, for times between two of them, s.
+  using Moment = std::chrono::steady_clock::time_point;
+  Moment now() const { return std::chrono::steady_clock::now(); }
+  double seconds_between(const Moment& start, const Moment& end) const {
+    return std::chrono::duration<double>(end - start).count();
   }
 
   /// Until all that was started is done.

@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <vector>
 
+#include "backend/cuda/card_moment.hpp"
 #include "backend/cuda/device_array.cuh"
 #include "backend/device/pair_rows.hpp"
 
@@ -226,6 +227,12 @@ class CudaExecutor {
 
   void sort(DeviceArray<std::uint64_t>& keys, DeviceArray<std::uint32_t>& values, int bits) const;
   void scan(DeviceArray<std::uint64_t>& values) const;
+
+  using Moment = CardMoment;
+  Moment now() const { return CardMoment(); }
+  double seconds_between(const Moment& start, const Moment& end) const {
+    return end.seconds_since(start);
+  }
 
   /// What has failed is said by the next call that can throw.
   void wait() const noexcept { cudaStreamSynchronize(nullptr); }

@@ -13,7 +13,7 @@ void DeviceBackend<Executor>::archive_state(Archive& a) {
   on_.download(awake_, awake);
   on_.download(list_position_, listed);
   BackendState state{model_.state.c0, fluid(),         boundary(),  awake,
-                     body_loads_,     numerical_heat_, pass_times_, listed};
+                     body_loads_,     numerical_heat_, pass_times(), listed};
   state.archive(a);
   if constexpr (Archive::is_reader) {
     state.check(list_radius());
@@ -25,7 +25,7 @@ template <class Executor>
 void DeviceBackend<Executor>::list_again(std::vector<Vec3d>& listed,
                                          const std::vector<std::uint32_t>& awake) {
   const BodyLoadSum loads = body_loads_;
-  const PassTimes times = pass_times_;
+  const PassTimes times = pass_times();
   const std::vector<double> density = boundary().density;  // of walls that find_neighbours() holds
   fluid().position.swap(listed);
   find_neighbours();
@@ -36,7 +36,7 @@ void DeviceBackend<Executor>::list_again(std::vector<Vec3d>& listed,
     throw RunError("holds more particles awake than there are");
   on_.upload(awake, awake_);
   prepare_rows();
-  pass_times_ = times;
+  pass_times() = times;
 }
 
 }  // namespace sabo

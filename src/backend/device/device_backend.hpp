@@ -6,6 +6,7 @@
 #include "backend/body_load_sum.hpp"
 #include "backend/device/device_particles.hpp"
 #include "backend/device/pair_sweeps.hpp"
+#include "backend/device/pass_marks.hpp"
 #include "backend/flow_view.hpp"
 #include "backend/sweeps/flow_sums.hpp"
 #include "backend/velocity_step.hpp"
@@ -33,6 +34,10 @@ class DeviceBackend : public Backend {
   Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
   const std::vector<Vec3d>& positions() override;
+  PassTimes& pass_times() override {
+    pass_marks_.settle(on_, pass_times_);
+    return pass_times_;
+  }
 
   void change_driven(const std::function<void(Particles&)>& change) override;
 
@@ -86,13 +91,14 @@ class DeviceBackend : public Backend {
  private:
   friend struct FlowArrays;
 
-  /// Times a pass to its end on the device.
+  /// Times a pass on the device. `name` must be a literal.
   struct Clock {
     Clock(const DeviceBackend& backend, std::string_view name, std::uint64_t pairs = 0)
-        : clock(backend.pass_times_, name, pairs), on(backend.on_) {}
-    ~Clock() { on.wait(); }
-    PassClock clock;
-    const Executor& on;
+        : clock(backend.pass_marks_, backend.on_, name, pairs) {
+      if (backend.pass_marks_.is_long())
+        backend.pass_marks_.settle(backend.on_, backend.pass_times_);
+    }
+    typename PassMarks<Executor>::Clock clock;
   };
   struct Copy {
     Particles particles;
@@ -158,6 +164,7 @@ class DeviceBackend : public Backend {
   void list_again(std::vector<Vec3d>& listed, const std::vector<std::uint32_t>& awake);
 
   Executor on_;
+  mutable PassMarks<Executor> pass_marks_;  // sums that change nothing are clocked as well
   double skin_;
   Array<HalfSpace> half_space_;
   double yield_slope_;

@@ -1,0 +1,41 @@
+#include "backend/cuda/card_moment.hpp"
+
+#include <vector>
+
+#include "backend/cuda/check_cuda.hpp"
+
+namespace sabo {
+namespace {
+
+/// Events that nobody holds. Kept to the end of the program, as sum_space().
+std::vector<cudaEvent_t>& idle_events() {
+  static auto* const events = new std::vector<cudaEvent_t>;
+  return *events;
+}
+
+}  // namespace
+
+CardMoment::CardMoment() {
+  std::vector<cudaEvent_t>& idle = idle_events();
+  if (idle.empty()) {
+    check_cuda(cudaEventCreate(&event_), "cudaEventCreate");
+  } else {
+    event_ = idle.back();
+    idle.pop_back();
+  }
+  cudaEventRecord(event_);
+}
+
+CardMoment::~CardMoment() {
+  if (event_) idle_events().push_back(event_);
+}
+
+double CardMoment::seconds_since(const CardMoment& start) const {
+  float milliseconds = 0;
+  if (cudaEventSynchronize(event_) != cudaSuccess ||
+      cudaEventElapsedTime(&milliseconds, start.event_, event_) != cudaSuccess)
+    return 0;
+  return 1e-3 * milliseconds;
+}
+
+}  // namespace sabo

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <utility>
+
+#include <cuda_runtime_api.h>
+
+namespace sabo {
+
+/// A place in the order of the work on the card: the card notes the time when it gets there.
+class CardMoment {
+ public:
+  CardMoment();
+  CardMoment(CardMoment&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
+  CardMoment& operator=(CardMoment&& other) noexcept {
+    std::swap(event_, other.event_);
+    return *this;
+  }
+  ~CardMoment();
+
+  /// Waits until the card has been there. 0 where it has failed: the next pass says so.
+  double seconds_since(const CardMoment& start) const;
+
+ private:
+  cudaEvent_t event_ = nullptr;  // of a pool, since to make one takes longer than to use it
+};
+
+}  // namespace sabo
