@@ -111,8 +111,9 @@ void add_bench_command(CLI::App& program, Action& action) {
       ->type_name(fmt::format("{}", fmt::join(Words<Method>::list, "|")));
   command->add_option("--backend", options->backend, "what to measure; default: cpu")
       ->type_name("cpu|cuda");
-  command->add_option("--largest", options->settings.largest,
-                      "most particles of the fluid on a card; default: all that fit, up to 1e8")
+  command
+      ->add_option("--largest", options->settings.largest,
+                   "most particles of the fluid on a card; default: all that fit, up to 1e8")
       ->type_name("N");
   command->add_option("--json", options->json, "write the results there, for compare_bench.py")
       ->type_name("FILE");

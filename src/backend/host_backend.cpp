@@ -2,8 +2,6 @@
 
 #include <variant>
 
-#include <omp.h>
-
 #include "backend/compact.hpp"
 #include "backend/host_near.hpp"
 #include "backend/sweeps/boundary_sweeps.hpp"
@@ -17,7 +15,7 @@ HostBackend::HostBackend(const FlowModel& model)
     : Backend(model),
       half_space_(model.h, model.dimension, model.spacing),
       yield_slope_(model.yield.slope()),
-      on_(model.threads > 0 ? model.threads : omp_get_max_threads()) {}
+      on_(host_threads(model.threads)) {}
 
 FlowView HostBackend::view() {
   FlowView flow;

@@ -5,7 +5,12 @@
 #include <cstdint>
 #include <vector>
 
+#include <omp.h>
+
 namespace sabo {
+
+/// Threads of loops on the host; 0 stands for all.
+inline int host_threads(int wanted) { return wanted > 0 ? wanted : omp_get_max_threads(); }
 
 /// Loops that do little for each of fewer particles than this are over before other threads have
 /// woken up.

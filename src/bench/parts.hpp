@@ -13,7 +13,7 @@ struct BenchSettings {
   bool quick = false;  ///< small scenes, few repetitions: to see that it works, not to compare
   std::vector<Method> methods{Method::fast, Method::paper};  ///< those that are measured
   BackendKind backend = BackendKind::cpu;                    ///< cpu or cuda
-  double largest = 1e8;  ///< most fluid particles on a card
+  double largest = 1e8;                                      ///< most fluid particles on a card
 
   int repeats() const { return quick ? 3 : 5; }
 };

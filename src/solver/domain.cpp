@@ -5,6 +5,8 @@
 #include <utility>
 #include <vector>
 
+#include "backend/host_loops.hpp"
+
 namespace sabo {
 namespace {
 
@@ -29,16 +31,17 @@ void Domain::advance_inflows(Particles& fluid, const Tait& state, double time, d
 }
 
 void Domain::update(Backend& backend) {
+  const std::vector<Vec3d>& positions = backend.positions();
+  std::vector<Place> places(positions.size());
+  over(positions.size(), host_threads(backend.model().threads),
+       [&](std::size_t i) { places[i] = place_of(positions[i]); });
   std::vector<std::uint32_t> staying, leaving;
   std::vector<Sunk> sunk;
-  const std::vector<Vec3d>& places = backend.positions();
   staying.reserve(places.size());
   for (std::uint32_t i = 0; i < places.size(); ++i) {
-    const Vec3d& x = places[i];
-    const bool stays = ground_.surface().inside(x.x, x.y);
-    (stays ? staying : leaving).push_back(i);
-    if (!stays || !ground_.is_solid(x)) continue;
-    const Vec3d way_out = ground_.pushed_out(x) - x;
+    (places[i] == Place::outside ? leaving : staying).push_back(i);
+    if (places[i] != Place::solid) continue;
+    const Vec3d way_out = ground_.pushed_out(positions[i]) - positions[i];
     if (!(norm(way_out) < tolerated_depth * ground_.spacing())) sunk.push_back({i, way_out});
   }
   if (!leaving.empty() || !sunk.empty()) {
@@ -50,6 +53,11 @@ void Domain::update(Backend& backend) {
   }
   ground_.follow(backend.positions(), backend.list_radius(),
                  [&]() -> Particles& { return backend.boundary(); });
+}
+
+Domain::Place Domain::place_of(const Vec3d& x) const {
+  if (!ground_.surface().inside(x.x, x.y)) return Place::outside;
+  return ground_.is_solid(x) ? Place::solid : Place::free;
 }
 
 void Domain::put_back(Particles& fluid, const Sunk& sunk) {

@@ -60,6 +60,8 @@ class Domain {
   }
 
  private:
+  enum class Place : char { free, outside, solid };
+  Place place_of(const Vec3d& x) const;
   /// A particle found in a solid, and how it gets out.
   struct Sunk {
     std::uint32_t row;

@@ -1,7 +1,6 @@
-#include "backend/cuda/card_moment.hpp"
-
 #include <vector>
 
+#include "backend/cuda/card_moment.hpp"
 #include "backend/cuda/check_cuda.hpp"
 
 namespace sabo {

@@ -12,7 +12,7 @@ void DeviceBackend<Executor>::archive_state(Archive& a) {
   std::vector<Vec3d> listed;
   on_.download(awake_, awake);
   on_.download(list_position_, listed);
-  BackendState state{model_.state.c0, fluid(),         boundary(),  awake,
+  BackendState state{model_.state.c0, fluid(),         boundary(),   awake,
                      body_loads_,     numerical_heat_, pass_times(), listed};
   state.archive(a);
   if constexpr (Archive::is_reader) {

@@ -290,7 +290,8 @@ struct NearMotionSweep {
     const double scale = 1 / larger(support, 0.4f);
     flow.strain[i] = scale * in_double(sums.eps);
     flow.diffusion_rate[i] = sums.diffusion_rate;
-    flow.density_rate[i] = sums.rate + sums.diffusion_rate + one_sided(sums.wall_rate, records[i].excess);
+    flow.density_rate[i] =
+        sums.rate + sums.diffusion_rate + one_sided(sums.wall_rate, records[i].excess);
     flow.support[i] = support;
   }
 
