@@ -65,6 +65,11 @@ PRINTS = re.compile(
 EXITS = re.compile(r"\b(?:exit|_Exit|quick_exit|abort|std::terminate)\s*\(")
 OPENS = re.compile(r"<fstream>|\b(?:std::)?[io]?fstream\b|\b(?:fopen|freopen)\s*\(")
 PARALLEL = re.compile(r"\bomp\b|omp_|openmp|cuda\w|__global__|<<<", re.IGNORECASE)
+# In device code nvcc 13 compiles std::advance of libstdc++ 12, and what is made of it, to nothing.
+CARD_FOLDERS = {"math", "physics", "backend/device"}
+LOST_ON_CARDS = re.compile(
+    r"\bstd::(?:ranges::)?(?:advance|next|prev|upper_bound|lower_bound|equal_range|partition_point)\b"
+)
 
 # A comment, or a literal, which is matched first so that "//" within it starts no comment.
 COMMENT_OR_LITERAL = re.compile(
@@ -111,6 +116,8 @@ def word_fault(folder, line):
         return "only io/ opens files"
     if folder == "solver" and PARALLEL.search(line):
         return "the solver names no OpenMP and no CUDA; that is for the backends"
+    if folder in CARD_FOLDERS and LOST_ON_CARDS.search(line):
+        return "graphics cards lose the steps of std::advance and of searches; write the loop"
     return None
 
 

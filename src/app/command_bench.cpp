@@ -114,7 +114,8 @@ void add_bench_command(CLI::App& program, Action& action) {
   command
       ->add_option("--largest", options->settings.largest,
                    "most particles of the fluid on a card; default: all that fit, up to 1e8")
-      ->type_name("N");
+      ->type_name("N")
+      ->check(CLI::Range(2e4, 1e8).description(""));
   command->add_option("--json", options->json, "write the results there, for compare_bench.py")
       ->type_name("FILE");
   command->add_option("--only", options->only, "parts to measure; default: all")

@@ -15,7 +15,7 @@
 namespace sabo {
 
 /// Where code that is written once for hosts and devices has its arrays and runs its loops: here in
-/// the memory of the host, on its threads. backend/cuda/cuda_executor.hpp is the other one.
+/// the memory of the host, on its threads. backend/cuda/cuda_executor.cuh is the other one.
 ///
 /// Loop bodies are structs of plain values and pointers whose operator() is SABO_HD.
 class HostExecutor {

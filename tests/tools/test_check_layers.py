@@ -61,6 +61,11 @@ class Words(unittest.TestCase):
         self.assertEqual([], faults("solver/a.cpp", "compute(component);\n"))
         self.assertEqual([], faults("backend/cpu/a.cpp", "#pragma omp parallel\n"))
 
+    def test_code_for_cards_searches_by_its_own_loops(self):
+        self.assertEqual([1], faults("physics/a.hpp", "auto i = std::upper_bound(a, b, x);\n"))
+        self.assertEqual([1], faults("backend/device/a.hpp", "std::advance(i, 3);\n"))
+        self.assertEqual([], faults("terrain/a.cpp", "auto i = std::upper_bound(a, b, x);\n"))
+
 
 class Length(unittest.TestCase):
     def test_400_lines_are_allowed_401_are_not(self):
