@@ -23,7 +23,9 @@ class HostExecutor {
   template <class T>
   using Array = std::vector<T>;
 
-  explicit HostExecutor(int threads = 1) : threads_(threads) {}
+  /// `row_shares`: in how many parts a row of pairs is summed up, as by as many threads of a card.
+  explicit HostExecutor(int threads = 1, std::uint32_t row_shares = 1)
+      : threads_(threads), row_shares_(row_shares) {}
 
   /// f(i) for i in [0, count); f writes to i alone.
   template <class F>
@@ -48,13 +50,13 @@ class HostExecutor {
   /// A sweep over the pairs of each i in [0, count); see backend/device/pair_rows.hpp.
   template <class Sweep>
   void sweep(std::size_t count, const Sweep& sweep) const {
-    for_each(count, [&](std::size_t i) { sweep.finish(i, sweep.sums_of(i, {})); });
+    for_each(count, [&](std::size_t i) { sweep.finish(i, sums_of_row(sweep, i)); });
   }
   /// The same, and the sum of what finish(i, sums, sum) adds.
   template <class Sum, class Sweep>
   Sum sweep_and_sum(std::size_t count, const Sweep& sweep) const {
     return reduce<Sum>(
-        count, [&](std::size_t i, Sum& sum) { sweep.finish(i, sweep.sums_of(i, {}), sum); });
+        count, [&](std::size_t i, Sum& sum) { sweep.finish(i, sums_of_row(sweep, i), sum); });
   }
 
   template <class T>
@@ -110,13 +112,18 @@ class HostExecutor {
     return std::chrono::duration<double>(end - start).count();
   }
 
-  /// Until all that was started is done.
-  void wait() const noexcept {}
-
   int threads() const { return threads_; }
 
  private:
+  template <class Sweep>
+  auto sums_of_row(const Sweep& sweep, std::size_t i) const {
+    auto sums = sweep.sums_of(i, {0, row_shares_});
+    for (std::uint32_t k = 1; k < row_shares_; ++k) sums.join(sweep.sums_of(i, {k, row_shares_}));
+    return sums;
+  }
+
   int threads_;
+  std::uint32_t row_shares_;
 };
 
 }  // namespace sabo

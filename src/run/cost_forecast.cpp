@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include "backend/host_loops.hpp"
 #include "run/flow.hpp"
 #include "run/memory_estimate.hpp"
 
@@ -219,7 +220,7 @@ CostForecast measured_forecast(const Case& c, const Scene& scene) {
   outlook.fluid = mean_particles(c, scene);
   outlook.latest_ground = expected_boundary(model, scene.particles_until(c.run.duration));
   CostForecast result = forecast(measure(flow, c.run.duration), outlook);
-  result.threads = model.threads > 0 ? model.threads : omp_get_max_threads();
+  result.threads = host_threads(model.threads);
   result.on_card = on_card;
   result.is_busy = load + result.threads > omp_get_num_procs() + 0.5;
   return result;

@@ -6,8 +6,6 @@
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
-#include "backend/device/device_implicit.hpp"
-
 // What is peculiar to the backend for graphics cards: its copies on the host, its lists, its order.
 // The sums themselves are in the tests of all backends.
 
@@ -81,31 +79,10 @@ TEST_P(Device, MovesAFlowAsTheProcessorDoes) {
   }
 }
 
-/// As a card with few particles: four threads for each row of pairs.
-struct SharingExecutor : HostExecutor {
-  static constexpr std::uint32_t threads_of_row = 4;
-
-  template <class Sweep>
-  static auto joined(const Sweep& sweep, std::size_t i) {
-    auto sums = sweep.sums_of(i, {0, threads_of_row});
-    for (std::uint32_t k = 1; k < threads_of_row; ++k)
-      sums.join(sweep.sums_of(i, {k, threads_of_row}));
-    return sums;
-  }
-  template <class Sweep>
-  void sweep(std::size_t count, const Sweep& sweep) const {
-    for_each(count, [&](std::size_t i) { sweep.finish(i, joined(sweep, i)); });
-  }
-  template <class Sum, class Sweep>
-  Sum sweep_and_sum(std::size_t count, const Sweep& sweep) const {
-    return reduce<Sum>(count,
-                       [&](std::size_t i, Sum& sum) { sweep.finish(i, joined(sweep, i), sum); });
-  }
-};
-
+// As a card with few particles, where several threads share each row of pairs.
 TEST(SharedRows, MoveAFlowAsWholeOnesDo) {
   for (const Method method : test::both_methods) {
-    DeviceBackend<SharingExecutor> sharing(collapsing());
+    DeviceBackendOnHost sharing(collapsing(), HostExecutor(1, 4));
     DeviceBackendOnHost whole(collapsing());
     const State expected = collapsed(whole, method, 60);
     for (const auto& [id, x] : collapsed(sharing, method, 60))

@@ -7,6 +7,7 @@
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
+#include "analysis/convergence.hpp"
 #include "terrain/jitter.hpp"
 
 // Backends differ in the last digits, and a flow of particles amplifies them: fronts of single runs
@@ -48,18 +49,6 @@ Slump slump(test::On on, Method method, std::uint64_t seed) {
           std::accumulate(fluid.mass.begin(), fluid.mass.end(), 0.0)};
 }
 
-struct Mean {
-  double value = 0, error = 0;
-};
-
-Mean mean_of(const std::vector<double>& values) {
-  const auto count = static_cast<double>(values.size());
-  const double mean = std::accumulate(values.begin(), values.end(), 0.0) / count;
-  double squares = 0;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return {mean, std::sqrt(squares / (count - 1) / count)};
-}
-
 class Ensemble : public test::OnBackend {};
 
 INSTANTIATE_TEST_SUITE_P(On, Ensemble, testing::Values(test::On::device, test::On::cuda),
@@ -75,9 +64,10 @@ TEST_P(Ensemble, HasTheFrontOfTheProcessorAndAllOfItsMass) {
       EXPECT_NEAR(a.mass, b.mass, 1e-12 * b.mass);  // in another order
       EXPECT_GT(a.front, 0.6);                      // from 0.39 m
     }
-    const Mean a = mean_of(here), b = mean_of(there);
-    EXPECT_GT(a.error, 0);
-    EXPECT_NEAR(a.value, b.value, 2 * std::hypot(a.error, b.error)) << word_of(method);
+    const Scatter a = scatter_of(here), b = scatter_of(there);
+    EXPECT_GT(a.deviation, 0);
+    const double error = std::hypot(a.deviation, b.deviation) / std::sqrt(double(starts));
+    EXPECT_NEAR(a.mean, b.mean, 2 * error) << word_of(method);
   }
 }
 

@@ -115,15 +115,12 @@ struct SumOverRows {
 
 /// Calls f.operator()<lanes>() with as many threads for a row as it takes to keep a card busy;
 /// depends on the number of rows alone, as then do the bits.
-template <class F>
+template <unsigned lanes = 1, class F>
 void with_lanes(std::size_t rows, const F& f) {
   constexpr std::size_t busy = 150'000;  // threads
-  if (rows >= busy) return f.template operator()<1>();
-  if (2 * rows >= busy) return f.template operator()<2>();
-  if (4 * rows >= busy) return f.template operator()<4>();
-  if (8 * rows >= busy) return f.template operator()<8>();
-  if (16 * rows >= busy) return f.template operator()<16>();
-  return f.template operator()<32>();
+  if constexpr (lanes < 32)
+    if (lanes * rows < busy) return with_lanes<2 * lanes>(rows, f);
+  f.template operator()<lanes>();
 }
 
 /// Where sums are added up, one at a time: all run on one stream.
@@ -163,7 +160,7 @@ class CudaExecutor {
         count, f, static_cast<Sum*>(space.partial), space.blocks_done,
         static_cast<Sum*>(space.total));
     check_cuda(cudaGetLastError(), "kernel launch");
-    check_cuda(cudaStreamSynchronize(nullptr), "pass");
+    wait("pass");
     std::memcpy(static_cast<void*>(&total), space.total, sizeof(Sum));
     return total;
   }
@@ -206,7 +203,7 @@ class CudaExecutor {
   void upload(const std::vector<T>& from, DeviceArray<T>& to) const {
     to.resize(from.size());
     move(from.data(), from.size(), to.data(), cudaMemcpyHostToDevice);
-    wait();  // `from` may be gone at once, and not every card has staged it by now
+    wait("upload");  // `from` may be gone at once, and not every card has staged it by now
   }
   template <class T>
   void download(const DeviceArray<T>& from, std::vector<T>& to) const {
@@ -234,10 +231,9 @@ class CudaExecutor {
     return end.seconds_since(start);
   }
 
-  /// What has failed is said by the next call that can throw.
-  void wait() const noexcept { cudaStreamSynchronize(nullptr); }
-
  private:
+  /// Until all that was started is done.
+  static void wait(const char* work) { check_cuda(cudaStreamSynchronize(nullptr), work); }
   static unsigned blocks(std::size_t count) {
     return static_cast<unsigned>((count + block_size - 1) / block_size);
   }
@@ -249,7 +245,7 @@ class CudaExecutor {
   template <class T>
   static void fetch(const T* from, std::size_t count, T* to) {
     move(from, count, to, cudaMemcpyDeviceToHost);
-    check_cuda(cudaStreamSynchronize(nullptr), "pass");
+    wait("pass");
   }
 };
 

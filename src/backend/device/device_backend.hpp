@@ -35,7 +35,7 @@ class DeviceBackend : public Backend {
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
   const std::vector<Vec3d>& positions() override;
   PassTimes& pass_times() override {
-    pass_marks_.settle(on_, pass_times_);
+    pass_marks_.settle();
     return pass_times_;
   }
 
@@ -91,14 +91,10 @@ class DeviceBackend : public Backend {
  private:
   friend struct FlowArrays;
 
-  /// Times a pass on the device. `name` must be a literal.
-  struct Clock {
+  /// Times a pass on the device.
+  struct Clock : PassMarks<Executor>::Clock {
     Clock(const DeviceBackend& backend, std::string_view name, std::uint64_t pairs = 0)
-        : clock(backend.pass_marks_, backend.on_, name, pairs) {
-      if (backend.pass_marks_.is_long())
-        backend.pass_marks_.settle(backend.on_, backend.pass_times_);
-    }
-    typename PassMarks<Executor>::Clock clock;
+        : PassMarks<Executor>::Clock(backend.pass_marks_, name, pairs) {}
   };
   struct Copy {
     Particles particles;
@@ -164,7 +160,7 @@ class DeviceBackend : public Backend {
   void list_again(std::vector<Vec3d>& listed, const std::vector<std::uint32_t>& awake);
 
   Executor on_;
-  mutable PassMarks<Executor> pass_marks_;  // sums that change nothing are clocked as well
+  mutable PassMarks<Executor> pass_marks_{on_, pass_times_};
   double skin_;
   Array<HalfSpace> half_space_;
   double yield_slope_;

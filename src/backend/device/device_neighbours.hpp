@@ -49,7 +49,7 @@ template <class T>
 void DeviceBackend<Executor>::fetch_driven(const Array<T>& from, std::vector<T>& to) const {
   Array<T> gathered;
   on_.reserve(gathered, driven_.size());
-  on_.for_each(driven_.size(), Gather<T>{from.data(), driven_.data(), gathered.data()});
+  on_.for_each(driven_.size(), GatherRows<T>{from.data(), driven_.data(), gathered.data()});
   on_.download(gathered, to);
 }
 
@@ -58,7 +58,7 @@ template <class T>
 void DeviceBackend<Executor>::put_driven(const std::vector<T>& from, Array<T>& to) const {
   Array<T> gathered;
   on_.upload(from, gathered);
-  on_.for_each(driven_.size(), Scatter<T>{gathered.data(), driven_.data(), to.data()});
+  on_.for_each(driven_.size(), ScatterRows<T>{gathered.data(), driven_.data(), to.data()});
 }
 
 template <class Executor>

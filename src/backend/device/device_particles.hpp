@@ -10,7 +10,7 @@ namespace sabo {
 
 /// Value k of the result is value order[k] of the source.
 template <class T>
-struct Gather {
+struct GatherRows {
   const T* from;
   const std::uint32_t* order;
   T* to;
@@ -19,7 +19,7 @@ struct Gather {
 
 /// Value rows[k] of the result is value k of the source.
 template <class T>
-struct Scatter {
+struct ScatterRows {
   const T* from;
   const std::uint32_t* rows;
   T* to;
@@ -67,12 +67,12 @@ class DeviceParticles {
 
   /// Row k becomes what row order[k] was; one field at a time, for the memory that it takes.
   void permute(const Executor& on, const Array<std::uint32_t>& order){
-#define SABO_PERMUTE(type, name, unit, meaning, is_shown)                                \
-  {                                                                                      \
-    Array<type> gathered;                                                                \
-    on.reserve(gathered, order.size());                                                  \
-    on.for_each(order.size(), Gather<type>{name.data(), order.data(), gathered.data()}); \
-    std::swap(name, gathered);                                                           \
+#define SABO_PERMUTE(type, name, unit, meaning, is_shown)                                    \
+  {                                                                                          \
+    Array<type> gathered;                                                                    \
+    on.reserve(gathered, order.size());                                                      \
+    on.for_each(order.size(), GatherRows<type>{name.data(), order.data(), gathered.data()}); \
+    std::swap(name, gathered);                                                               \
   }
       SABO_PARTICLE_FIELDS(SABO_PERMUTE)
 #undef SABO_PERMUTE

@@ -19,28 +19,28 @@ class PassMarks {
   /// A pass over the scope of this object.
   class Clock {
    public:
-    Clock(PassMarks& marks, const Executor& on, std::string_view name, std::uint64_t pairs)
-        : marks_(marks), on_(on), name_(name), pairs_(pairs), start_(on.now()) {}
+    /// `name` must be a literal; `pairs` is the number of pairs that the pass visits.
+    Clock(PassMarks& marks, std::string_view name, std::uint64_t pairs)
+        : marks_(marks.with_room()), name_(name), pairs_(pairs), start_(marks.on_.now()) {}
     Clock(const Clock&) = delete;
     Clock& operator=(const Clock&) = delete;
-    ~Clock() { marks_.marks_.push_back({name_, pairs_, std::move(start_), on_.now()}); }
+    ~Clock() { marks_.marks_.push_back({name_, pairs_, std::move(start_), marks_.on_.now()}); }
 
    private:
     PassMarks& marks_;
-    const Executor& on_;
     std::string_view name_;
     std::uint64_t pairs_;
     Moment start_;
   };
 
-  /// Whether it is time to settle, before too many marks wait.
-  bool is_long() const { return marks_.size() > 256; }
+  /// Both must outlive this object.
+  PassMarks(const Executor& on, PassTimes& times) : on_(on), times_(times) {}
 
   /// Waits for the passes that were marked and adds up their times.
-  void settle(const Executor& on, PassTimes& times) {
+  void settle() {
     for (const Mark& mark : marks_) {
-      PassTime& pass = times[mark.name];
-      pass.seconds += on.seconds_between(mark.start, mark.end);
+      PassTime& pass = times_[mark.name];
+      pass.seconds += on_.seconds_between(mark.start, mark.end);
       ++pass.calls;
       pass.pairs += mark.pairs;
     }
@@ -53,6 +53,15 @@ class PassMarks {
     std::uint64_t pairs;
     Moment start, end;
   };
+
+  /// Before too many marks wait, and outside of any pass.
+  PassMarks& with_room() {
+    if (marks_.size() > 256) settle();
+    return *this;
+  }
+
+  const Executor& on_;
+  PassTimes& times_;
   std::vector<Mark> marks_;
 };
 

@@ -11,6 +11,7 @@
 #include "verify/cases.hpp"
 #include <fmt/format.h>
 
+#include "analysis/convergence.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -131,12 +132,8 @@ struct Mean {
 };
 
 Mean mean_of(const std::vector<double>& values) {
-  const double count = static_cast<double>(values.size());
-  double sum = 0, squares = 0;
-  for (const double value : values) sum += value;
-  const double mean = sum / count;
-  for (const double value : values) squares += (value - mean) * (value - mean);
-  return {mean, std::sqrt(squares / (count * (count - 1)))};
+  const Scatter scatter = scatter_of(values);
+  return {scatter.mean, scatter.deviation / std::sqrt(static_cast<double>(values.size()))};
 }
 
 void add_single_steps(const View& plain, const std::vector<View>& views,
