@@ -86,6 +86,7 @@ int verify(const VerifyOptions& options) {
     return exit_done;
   }
   const std::atomic<bool>& stop = catch_stop_signals();
+  make_record_folder(options.folder);
   const Effort effort = options.quick      ? Effort::quick
                         : options.extended ? Effort::extended
                                            : Effort::full;

@@ -61,6 +61,9 @@ class HostBackend : public Backend {
   /// The arrays as they are now.
   FlowView view();
 
+  /// Adds FillByShifts to the density rates; after near_motion(), before anything has moved.
+  virtual void fill_by_shifts(double dt) = 0;
+
   /// To be called when another set of particles is awake.
   virtual void prepare_rows() = 0;
   bool is_asleep(std::size_t i) const;
@@ -107,6 +110,7 @@ class HostBackend : public Backend {
   std::vector<Vec3d> background_;  ///< density gradient that diffusion leaves alone, 1/m
   std::vector<Filling> filling_;
   std::vector<double> artificial_heat_;  ///< W/kg
+  std::vector<Vec3d> shift_;             ///< of the last step, m
 
  private:
   void settle_driven();
@@ -120,7 +124,6 @@ class HostBackend : public Backend {
 
   std::vector<std::uint32_t> driven_walls_;  // boundary particles that may be near driven ones
   NumericalHeat numerical_heat_;
-  std::vector<Vec3d> shift_;  ///< of the last step, m
   std::vector<Vec3d> start_position_;
   std::vector<Vec3d> start_velocity_;
   std::vector<double> start_density_;

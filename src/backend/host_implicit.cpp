@@ -55,8 +55,7 @@ void HostBackend::shift_particles(double dt) {
   if (!(dt > 0)) return;
   const FlowView flow = view();
   over_rows(awake_, threads(), FindShift{flow, dt});
-  using Fill = FillByShifts<HostNear>;
-  on_.for_each_slow(awake_.size(), AtRow<Fill>{awake_.data(), {flow, HostNear(*this), dt}});
+  fill_by_shifts(dt);
   over_rows(awake_, threads(), MoveByShift{flow});
 }
 

@@ -7,6 +7,7 @@
 #include "math/vec3.hpp"
 #include "physics/equation_of_state.hpp"
 #include "physics/kernel.hpp"
+#include "physics/layered_viscosity.hpp"
 #include "physics/rheology_list.hpp"
 #include "physics/switches.hpp"
 #include "physics/wall_shear.hpp"
@@ -76,6 +77,10 @@ struct FlowModel {
   }
   /// Factor on eps in Eqs. 16-17: the paper prints 1/2, which halves every viscosity.
   SABO_HD double strain_convention() const { return as_printed ? 0.5 : 1; }
+  /// Factor on viscosities in the two-point form of the implicit method.
+  double two_point_scale() const {
+    return strain_convention() / layered_viscosity(kernel<double>(), dimension, spacing);
+  }
   /// Factor on the velocity difference of pairs across the wall in viscous terms. With `mirror` the
   /// wall moves against the fluid, which doubles it; the two-point form with `none` ignores walls.
   SABO_HD double wall_velocity_factor() const {

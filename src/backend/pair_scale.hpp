@@ -25,6 +25,7 @@ struct PairScale {
   float wall_velocity_factor = 1;
   float alpha_c0_h = 0;  ///< of artificial viscosity, m2/s
   bool two_point_viscosity = false;
+  double two_point_scale = 1;  ///< on the viscosities of the implicit method
   int dimension = 3;
 
   PairScale() = default;
@@ -48,6 +49,7 @@ struct PairScale {
     wall_velocity_factor = float(model.wall_velocity_factor());
     dimension = model.dimension;
     two_point_viscosity = model.viscous_operator == ViscousOperator::morris;
+    two_point_scale = model.two_point_scale();
   }
 
   /// What depends on the sound speed, which may change from step to step.

@@ -16,12 +16,14 @@ struct RecordPacker {
   double per_unit;  ///< 1/m
   double rho0;
   double strain_convention;
+  double two_point_scale;  ///< on the viscosity of the implicit method
 
   RecordPacker(const FlowModel& model, const Vec3d& place_of_zero, const PairScale& scale)
       : centre(place_of_zero),
         per_unit(1.0 / scale.unit),
         rho0(model.state.rho0),
-        strain_convention(model.strain_convention()) {}
+        strain_convention(model.strain_convention()),
+        two_point_scale(scale.two_point_scale) {}
 
   SABO_HD IntegerPlace place(const Vec3d& position) const {
     using std::lrint;
@@ -50,7 +52,7 @@ struct RecordPacker {
             float(of.mass[i]),
             float(of.pressure[i] / (rho0 * rho0)),
             float(of.mass[i] / rho0),
-            float(strain_convention * of.viscosity[i]),
+            float(two_point_scale * of.viscosity[i]),
             float(of.density[i])};
   }
 

@@ -63,7 +63,7 @@ struct NumericsCase {
   double sleep_time = 0.5;
   double crowding_tolerance = 0.03;
   TensionAtSurface tension_at_surface = TensionAtSurface::by_law;
-  double particle_shifting = 0;
+  double particle_shifting = 20;
   double gravity = 9.81;
 
   template <class V>
@@ -180,8 +180,7 @@ struct NumericsCase {
       tension_at_surface);
     v(Key{"particle_shifting", "",
           "fast: inside of the flow particles are shifted to more even places, by this times h^2, "
-          "the shear strain of the step and the gradient of the filling of their kernel; 0: not; "
-          "for vortices of a thin fluid 20"}
+          "the shear strain of the step and the gradient of the filling of their kernel; 0: not"}
           .at_least(0)
           .at_most(1000),
       particle_shifting);
@@ -195,6 +194,7 @@ struct NumericsCase {
     const bool is_paper = method == Method::paper;
     diffusion_form = is_paper ? DiffusionForm::molteni : DiffusionForm::fourtakas;
     cfl = is_paper ? 0.2 : 0.6;
+    particle_shifting = is_paper ? 0 : 20;
   }
 };
 

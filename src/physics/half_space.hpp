@@ -6,6 +6,7 @@
 
 #include "base/host_device.hpp"
 #include "physics/kernel.hpp"
+#include "physics/plane_integral.hpp"
 
 namespace sabo {
 
@@ -22,8 +23,9 @@ class HalfSpace {
     const auto kernel = WendlandC2<double>::make(h, dimension);
     for (int k = 0; k <= entries; ++k) {
       share_[k] = integral(kernel, dimension, place(k));
+      const auto value = [&](double r) { return kernel.value(r); };
       for (double z = place(k) + 0.5 * spacing; z < radius_; z += spacing)
-        layered_[k] += spacing * plane_integral(kernel, dimension, z);
+        layered_[k] += spacing * plane_integral(value, radius_, dimension, z);
     }
     steepest_ = slope(0) / (1 - share_[0]);
     for (int k = 0; k <= entries; ++k) completion_[k] = 1 / (1 - share(surface_distance(k)));
@@ -95,20 +97,6 @@ class HalfSpace {
       const double r = d + (k + 0.5) * dr;
       const double cap = dimension == 2 ? 2 * r * std::acos(d / r) : 2 * pi * r * (r - d);
       sum += kernel.value(r) * cap * dr;
-    }
-    return sum;
-  }
-
-  /// The kernel integrated over a plane (a line in two dimensions) at the distance z, 1/m.
-  double plane_integral(const WendlandC2<double>& kernel, int dimension, double z) const {
-    constexpr int steps = 400;
-    constexpr double pi = 3.14159265358979323846;
-    const double most = std::sqrt(radius_ * radius_ - z * z);
-    const double ds = most / steps;
-    double sum = 0;
-    for (int k = 0; k < steps; ++k) {
-      const double s = (k + 0.5) * ds;
-      sum += kernel.value(std::sqrt(z * z + s * s)) * (dimension == 2 ? 2 : 2 * pi * s) * ds;
     }
     return sum;
   }

@@ -19,10 +19,10 @@ constexpr double late_length = 10;         // of the flow, over its width
 constexpr double ground_beside_flow = 11;  // spacings across: a list's radius and half a tile each
 
 // Of the backend cuda (backend/device/device_backend.hpp), by what is allocated; per particle.
-constexpr double card_bytes_of_any = 128 + 9;      // fields; numbers of neighbours
-constexpr double card_bytes_of_fluid = 32 + 29;    // rates; place at the last list, whether awake
-constexpr double card_bytes_of_fast = 380;         // strain, walls, filling, solver, records
-constexpr double card_bytes_of_paper = 256;        // strain, stress, start of the step, records
+constexpr double card_bytes_of_any = 128 + 9;    // fields; numbers of neighbours
+constexpr double card_bytes_of_fluid = 32 + 29;  // rates; place at the last list, whether awake
+constexpr double card_bytes_of_fast = 404;       // strain, walls, filling, shifts, solver, records
+constexpr double card_bytes_of_paper = 256;      // strain, stress, start of the step, records
 constexpr double card_bytes_of_ground_fast = 112;  // density rate, records, weights
 constexpr double card_bytes_of_ground_paper = 208;
 constexpr double card_bytes_of_index = 4;

@@ -106,10 +106,15 @@ VerifyRecord run_verification(const Verification& verification, const VerifySett
   return record;
 }
 
-void write_record(VerifyRecord& record, const fs::path& folder) {
+void make_record_folder(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error) throw RunError("cannot make " + folder.string() + ": " + error.message());
+}
+
+void write_record(VerifyRecord& record, const fs::path& folder) {
+  make_record_folder(folder);
+  std::error_code error;
   const std::string name = stem(record.name, record.method, record.effort);
   record.pictures.clear();
   for (std::size_t k = 0; k < record.verdict.charts.size(); ++k) {

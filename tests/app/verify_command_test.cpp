@@ -30,6 +30,26 @@ TEST(VerifyCommand, LeavesPageJsonAndPictures) {
   EXPECT_EQ(json.code, 0) << json.text;
 }
 
+TEST(VerifyCommand, StoppedInItsFirstCaseLeavesAPageWithoutResults) {
+  const TemporaryFolder folder;
+  const std::string at = (folder / "out").string();
+  const Outcome run =
+      run_shell("sabo verify hydrostatic --threads 1 --method fast -o '" + at +
+                "' & while ! test -d '" + at + "'; do sleep 0.05; done; kill $!; wait $!");
+  EXPECT_THAT(run.text, HasSubstr("0 of 0 cases pass"));
+  EXPECT_THAT(run.text, testing::Not(HasSubstr("error")));
+  EXPECT_THAT(folder.read("out/verify.json"), HasSubstr("["));
+}
+
+TEST(VerifyCommand, TellsOfAFolderThatItCannotMakeBeforeItRuns) {
+  const TemporaryFolder folder;
+  folder.write("file", "");
+  const Outcome run =
+      run_shell("sabo verify hydrostatic -o '" + (folder / "file/out").string() + "'");
+  EXPECT_NE(run.code, 0);
+  EXPECT_THAT(run.text, HasSubstr("cannot make "));
+}
+
 TEST(VerifyCommand, RefusesWhatDoesNotExist) {
   const Outcome name = run_shell("sabo verify slap");
   EXPECT_EQ(name.code, 2);

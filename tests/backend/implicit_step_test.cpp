@@ -194,7 +194,8 @@ std::vector<double> dense_step(const Opened& backend, const Particles& fluid, do
     for (std::size_t j = 0; j < n; ++j) {
       if (i == j) continue;
       const double r = norm(fluid.position[i] - fluid.position[j]);
-      const double mu = 2 / (1 / fluid.viscosity[i] + 1 / fluid.viscosity[j]);
+      const double mu =
+          backend.model().two_point_scale() * 2 / (1 / fluid.viscosity[i] + 1 / fluid.viscosity[j]);
       const double a =
           -2 * mu * fluid.mass[i] * fluid.mass[j] / (1000.0 * 1000.0) * kernel.gradient_factor(r);
       matrix[i][i] += dt * a;

@@ -33,6 +33,7 @@ class CpuBackend : public HostBackend {
   void prepare_rows() override;
   void fluid_near(std::size_t self, std::vector<std::uint32_t>& near) const override;
   const std::vector<Vec3d>& listed_positions() const override { return age_.start_positions(); }
+  void fill_by_shifts(double dt) override;
 
  private:
   void set_scale();

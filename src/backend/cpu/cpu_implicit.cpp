@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "backend/cpu/cpu_backend.hpp"
 #include "backend/cpu/parallel_blocks.hpp"
 #include "backend/record_packer.hpp"
+#include "backend/sweeps/shifting.hpp"
 
 // The pair sweeps of the implicit method.
 
@@ -128,6 +130,18 @@ void CpuBackend::near_motion() {
     sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), closing_.data(),
                          wall_slope_.data(), awake_.data(), range.first, range.last, strain_.data(),
                          density_rate_.data(), diffusion_rate_.data(), support_.data()});
+  });
+}
+
+void CpuBackend::fill_by_shifts(double dt) {
+  const FlowView flow = view();
+  over(fluid_.size(), threads(), PackShift{flow, motion_.data()});
+  const FillByShifts fill{flow, dt};
+  parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
+    std::array<float, sweep_block> near;
+    sweeps_.shift(
+        {&scale_, &near_, motion_.data(), awake_.data(), range.first, range.last, near.data()});
+    for (std::size_t k = range.first; k < range.last; ++k) fill(awake_[k], near[k - range.first]);
   });
 }
 

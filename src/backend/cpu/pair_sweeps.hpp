@@ -98,6 +98,17 @@ struct NearMotionTask {
   double* support;         ///< out, filled share of the kernel: 1 inside, about 1/2 at a surface
 };
 
+/// Sum of V_j s_j . grad W over the fluid near each particle, of records whose velocities are
+/// shifts.
+struct ShiftTask {
+  const PairScale* scale;
+  const NearPairs* near;
+  const MotionRecord* records;
+  const std::uint32_t* rows;
+  std::size_t first, last;
+  float* sum;  ///< out, of those of the range one after the other
+};
+
 /// q = m p + dt (sum_j a_ij (p_i - p_j) + drag p).
 struct ViscousProductTask {
   const NearPairs* near;
@@ -135,6 +146,7 @@ struct PairSweeps {
   void (*near_force)(const NearForceTask&);
   void (*wall_closing)(const WallClosingTask&);
   void (*near_motion)(const NearMotionTask&);
+  void (*shift)(const ShiftTask&);
   void (*viscous_product)(ViscousProductTask&);
   /// Returns how many it wrote.
   std::size_t (*near_search)(const NearTask&);

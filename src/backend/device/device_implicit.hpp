@@ -103,12 +103,13 @@ void DeviceBackend<Executor>::near_motion() {
 /// Before the flow moves them: all sums of the step are of the places that particles have now.
 template <class Executor>
 void DeviceBackend<Executor>::shift_particles(double dt) {
-  const Clock clock(*this, "shifting");
+  const Clock clock(*this, "shifting", fluid_pairs_);
   if (!(dt > 0)) return;
   on_.zero(shift_, fluid_.size());
   const FlowView flow = view();
   over_awake(FindShift{flow, dt});
-  over_awake(FillByShifts<RowNear>{flow, RowNear{rows()}, dt});
+  on_.for_each(fluid_.size(), PackShift{flow, motion_.data()});
+  sweep_over(awake_, ShiftSweep{pair_sums(), motion_.data(), {flow, dt}});
   over_awake(MoveByShift{flow});
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend/device/pair_sweeps.hpp"
+#include "backend/sweeps/shifting.hpp"
 #include "backend/sweeps/sleep.hpp"
 #include "backend/viscous_solver.hpp"
 #include "physics/pair/wall_contact.hpp"
@@ -336,6 +337,29 @@ struct NearMotionSweep {
       sums.support += j.volume * pair.gradient * pair.r2;
     }
   }
+};
+
+/// What shifts fill, of records whose velocities are shifts.
+struct ShiftSweep {
+  PairSums pairs;
+  const MotionRecord* records;
+  FillByShifts fill;
+
+  struct Sums {
+    float near = 0;
+    SABO_HD void join(const Sums& other) { near += other.near; }
+  };
+
+  SABO_HD Sums sums_of(std::size_t i, RowShare share) const {
+    const MotionRecord me = records[i];
+    Sums sums;
+    for (std::uint32_t k = share.first; k < pairs.rows.fluid[i]; k += share.stride) {
+      const MotionRecord j = records[pairs.rows.at(i, k)];
+      sums.near += continuity(pairs.geometry(me, j), PairSums::velocity(j), j.volume);
+    }
+    return sums;
+  }
+  SABO_HD void finish(std::size_t i, const Sums& sums) const { fill(i, sums.near); }
 };
 
 /// Whether a fluid particle takes part in the sweeps.

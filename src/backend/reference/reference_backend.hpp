@@ -28,6 +28,7 @@ class ReferenceBackend : public HostBackend {
   void prepare_rows() override;
   void fluid_near(std::size_t i, std::vector<std::uint32_t>& near) const override;
   const std::vector<Vec3d>& listed_positions() const override { return fluid_.position; }
+  void fill_by_shifts(double dt) override;
 
  private:
   /// What wall particle b hands back, over the sum of its weights.

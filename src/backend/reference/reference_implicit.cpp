@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "backend/reference/reference_backend.hpp"
+#include "backend/sweeps/shifting.hpp"
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
@@ -19,7 +20,7 @@ void ReferenceBackend::wall_pressure() {
 void ReferenceBackend::near_forces() {
   const std::size_t fluids = fluid_.size();
   const auto kernel = model_.kernel<double>();
-  const double rho0 = model_.state.rho0;
+  const double rho0 = model_.state.rho0, two_point_scale = model_.two_point_scale();
   const double alpha_c0_h = model_.artificial_viscosity * model_.state.c0 * model_.h;
   for (const std::uint32_t i : awake_) {
     Vec3d a = model_.body_force(position(i));
@@ -40,8 +41,7 @@ void ReferenceBackend::near_forces() {
         a += artificial.acceleration;
         artificial_heat += artificial.heat;
         const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
-        conductance +=
-            viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0, volume);
+        conductance += viscous_conductance(pair, two_point_scale * mu, mass(i) / rho0, volume);
       } else {
         const double part = volume * kernel.value(std::sqrt(pair.r2));
         wall.share += part;
@@ -59,7 +59,7 @@ void ReferenceBackend::near_forces() {
 }
 
 ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
-  const double rho0 = model_.state.rho0;
+  const double rho0 = model_.state.rho0, two_point_scale = model_.two_point_scale();
   const auto multiply = [&](const double* masses, const double* drag) {
     auto& solver = velocity_step_.solver;
     Dot sum;
@@ -68,8 +68,8 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
       Vec3d flow = drag[i] * Vec3d{p.x, p.y, p.z};
       for_each_neighbour(i, true, [&](std::size_t j, const PairGeometry<double>& pair) {
         const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
-        const double a = viscous_conductance(pair, model_.strain_convention() * mu, mass(i) / rho0,
-                                             mass(j) / rho0);
+        const double a =
+            viscous_conductance(pair, two_point_scale * mu, mass(i) / rho0, mass(j) / rho0);
         const Quad<double>& pj = solver.direction[j];
         flow += a * Vec3d{p.x - pj.x, p.y - pj.y, p.z - pj.z};
       });
@@ -134,6 +134,17 @@ void ReferenceBackend::near_motion() {
     diffusion_rate_[i] = diffusion_rate;
     density_rate_[i] = rate + diffusion_rate + one_sided(wall_rate, density(i) / rho0 - 1);
     support_[i] = support;
+  }
+}
+
+void ReferenceBackend::fill_by_shifts(double dt) {
+  const FillByShifts fill{view(), dt};
+  for (const std::uint32_t i : awake_) {
+    double near = 0;
+    for_each_neighbour(i, true, [&](std::size_t j, const PairGeometry<double>& pair) {
+      near += mass(j) / model_.state.rho0 * pair.gradient * dot(shift_[j], pair.x);
+    });
+    fill(i, near);
   }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "backend/flow_view.hpp"
+#include "backend/records.hpp"
 #include "physics/pair/strain_rate.hpp"
 
 // Particle shifting of the implicit method: inside of a flow that strains for long, particles
@@ -40,25 +41,31 @@ struct FindShift {
 };
 
 /// Adds what the shifts of a particle and of its neighbours change in the filling of its kernel to
-/// its density rate: sum of V_j (s_i - s_j) . grad W. Continuity sees the flow alone, whose
-/// disorder fills kernels on average; without what shifting takes back from them density would
-/// creep up. `near(i, f)` calls f(j) for the fluid near i.
-template <class Near>
+/// its density rate: sum of V_j (s_i - s_j) . grad W, of which `near` is the sum of V_j s_j . grad
+/// W over the fluid. Continuity sees the flow alone, whose disorder fills kernels on average;
+/// without what shifting takes back from them density would creep up.
 struct FillByShifts {
   FlowView flow;
-  Near near;
   double dt;
 
+  SABO_HD void operator()(std::size_t i, double near) const {
+    const double filled = dot(flow.shift[i], flow.filling[i].gradient) - near;
+    flow.density_rate[i] += flow.model.state.rho0 / dt * filled;
+  }
+};
+
+/// Makes of a record of motion at the same place one of the shift.
+struct PackShift {
+  FlowView flow;
+  MotionRecord* records;
+
   SABO_HD void operator()(std::size_t i) const {
-    const auto kernel = flow.model.template kernel<double>();
-    const double per_step = flow.model.state.rho0 / dt;
-    double filled = dot(flow.shift[i], flow.filling[i].gradient);
-    near(i, [&](std::size_t j) {
-      const Vec3d x = flow.model.periodic.nearest(flow.fluid.position[i] - flow.fluid.position[j]);
-      const double volume = flow.fluid.mass[j] / flow.model.state.rho0;
-      filled -= volume * kernel.gradient_factor(norm(x)) * dot(flow.shift[j], x);
-    });
-    flow.density_rate[i] += per_step * filled;
+    MotionRecord& record = records[i];
+    const Vec3d& shift = flow.shift[i];
+    record.vx = float(shift.x);
+    record.vy = float(shift.y);
+    record.vz = float(shift.z);
+    record.volume = float(flow.fluid.mass[i] / flow.model.state.rho0);
   }
 };
 

@@ -151,14 +151,6 @@ class Incline {
     add_creep();
     add_dem();
     report(1);
-    if (!settings_.is_quick() && !is_explicit())
-      verdict_.remarks.push_back(
-          "Mohr-Coulomb, 2.59 s: the rows that shear over each other break up after 1.5 s, 30 "
-          "depths of travel. The filled share of the kernels then varies by 5 % about a mean that "
-          "stays. Held to these places, with a tolerance of 3 %, the layer swells by 6 % and runs "
-          "ahead; so it does when held to their means over the neighbours. With the hold out of "
-          "reach (crowding_tolerance 0.3) it keeps its depth within 2 % and its surface speed "
-          "within 1 %");
     return std::move(verdict_);
   }
 

@@ -167,19 +167,10 @@ Verdict verify_slit(const VerifySettings& settings) {
         "plug: a sum over the kernel smooths the shear rate across the edge of the plug. In one "
         "dimension that alone makes the exact Bingham fluid, cap 1000 μB, 0.7 % faster at 50 "
         "particles, with a gradient of 0.0029 1/s in the plug, and 0.0006 1/s at 100"};
-    if (settings.method == Method::fast) {
-      verdict.remarks.push_back(
-          "order: at a fixed h over spacing of 1.5 sums over sheared particles keep an error "
-          "that no spacing takes away; for the Newtonian fluid it is 0.3 % at 50 and at 100");
-      verdict.remarks.push_back(
-          "Herschel-Bulkley: the L2 error is 0.7 % at 2 s, 1.5 % at 4 s and 1.7 % at 8 s, two "
-          "relaxation times: the rows near the walls, which shear fastest, break up. From then on "
-          "it is chance: 1.3 to 2.1 % without a trend for crowding_tolerance from 0.02 to 0.12");
-    } else {
+    if (settings.method == Method::paper)
       verdict.remarks.push_back(
           "explicit steps fall with the square of the spacing over the viscosity at rest: 25 "
           "particles across instead of 50, for 1 s; --long has 50");
-    }
   }
   return verdict;
 }

@@ -248,6 +248,24 @@ void near_motion_range(const NearMotionTask& task) {
   }
 }
 
+template <bool periodic>
+void shift_range(const ShiftTask& task) {
+  const Constants s(*task.scale);
+  for (std::size_t place = task.first; place < task.last; ++place) {
+    const std::size_t i = task.rows[place];
+    const NearPairs::Row row = task.near->row(i);
+    const MotionRecord& me = task.records[i];
+    const std::int32_t at[3] = {me.x, me.y, me.z};
+    Lanes total;
+    for (const std::uint32_t* k = row.fluid; k != row.boundary; k += Lanes::count) {
+      const Columns j = motion_records(task.records, k);
+      const auto pair = pair_geometry(separation<periodic>(s, at, j), s.kernel);
+      total += continuity(pair, Vec{j[3], j[4], j[5]}, j[7]);
+    }
+    task.sum[place - task.first] = sum(total);
+  }
+}
+
 }  // namespace
 
 void wall_pressure(const WallPressureTask& task) {
@@ -268,6 +286,10 @@ void near_force(const NearForceTask& task) {
 
 void near_motion(const NearMotionTask& task) {
   task.scale->periodic ? near_motion_range<true>(task) : near_motion_range<false>(task);
+}
+
+void shift(const ShiftTask& task) {
+  task.scale->periodic ? shift_range<true>(task) : shift_range<false>(task);
 }
 
 void viscous_product(ViscousProductTask& task) {

@@ -11,6 +11,7 @@ void wall_pressure(const WallPressureTask& task);
 void wall_closing(const WallClosingTask& task);
 void near_force(const NearForceTask& task);
 void near_motion(const NearMotionTask& task);
+void shift(const ShiftTask& task);
 void viscous_product(ViscousProductTask& task);
 
 }  // namespace HWY_NAMESPACE

@@ -151,8 +151,9 @@ void force(const ForceTask& task) {
 
 extern const PairSweeps SABO_SWEEPS;
 const PairSweeps SABO_SWEEPS{
-    hwy::TargetName(HWY_STATIC_TARGET), HWY_NAMESPACE::motion,          HWY_NAMESPACE::force,
-    HWY_NAMESPACE::wall_pressure,       HWY_NAMESPACE::near_force,      HWY_NAMESPACE::wall_closing,
-    HWY_NAMESPACE::near_motion,         HWY_NAMESPACE::viscous_product, HWY_NAMESPACE::near_search};
+    hwy::TargetName(HWY_STATIC_TARGET), HWY_NAMESPACE::motion,     HWY_NAMESPACE::force,
+    HWY_NAMESPACE::wall_pressure,       HWY_NAMESPACE::near_force, HWY_NAMESPACE::wall_closing,
+    HWY_NAMESPACE::near_motion,         HWY_NAMESPACE::shift,      HWY_NAMESPACE::viscous_product,
+    HWY_NAMESPACE::near_search};
 
 }  // namespace sabo
