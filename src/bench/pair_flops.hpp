@@ -40,6 +40,8 @@ namespace sabo {
 ///   strain_rate 19, its sum 6                        -                 -              25
 ///   support 2, its sum 1                             -                 -               3
 ///
+/// Shifting: separation 3, pair_geometry 12, continuity of the shift of j 7, its sum 1.
+///
 /// An entry of the matrix in the viscous solve: three differences, three multiply-adds, 9; what the
 /// solve does with whole vectors does not count.
 double flops_of_pair(std::string_view pass);

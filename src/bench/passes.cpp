@@ -93,8 +93,9 @@ BenchResult bench_passes(const BenchSettings& settings) {
                   "both its sides; padding of the list is not counted.",
                   pairs),
       "The neighbour search weighs several candidates for each pair that it lists. Of method fast,",
-      "near motion and viscous solve look at the pairs within 2 h only, the time of the solve is",
-      "for each of its products, vectors included, and wall pressure is measured on a floor."};
+      "near motion, shifting and viscous solve look at the pairs within 2 h only, the time of the",
+      "solve is for each of its products, vectors included, and wall pressure is measured on a",
+      "floor."};
   result.tables.push_back(std::move(table));
   return result;
 }

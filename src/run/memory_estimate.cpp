@@ -21,8 +21,9 @@ constexpr double ground_beside_flow = 11;  // spacings across: a list's radius a
 // Of the backend cuda (backend/device/device_backend.hpp), by what is allocated; per particle.
 constexpr double card_bytes_of_any = 128 + 9;    // fields; numbers of neighbours
 constexpr double card_bytes_of_fluid = 32 + 29;  // rates; place at the last list, whether awake
-constexpr double card_bytes_of_fast = 404;       // strain, walls, filling, shifts, solver, records
-constexpr double card_bytes_of_paper = 256;      // strain, stress, start of the step, records
+constexpr double card_bytes_of_fast = 380;       // strain, walls, filling, solver, records
+constexpr double card_bytes_of_shift = 24;
+constexpr double card_bytes_of_paper = 256;        // strain, stress, start of the step, records
 constexpr double card_bytes_of_ground_fast = 112;  // density rate, records, weights
 constexpr double card_bytes_of_ground_paper = 208;
 constexpr double card_bytes_of_index = 4;
@@ -44,7 +45,8 @@ double card_memory(const FlowModel& model, Method method, double fluid, double b
   const double list = neighbours * card_bytes_of_index / slice_filling;
   const bool is_fast = method == Method::fast;
   const double of_fluid = card_bytes_of_any + card_bytes_of_fluid + list +
-                          (is_fast ? card_bytes_of_fast : card_bytes_of_paper);
+                          (is_fast ? card_bytes_of_fast : card_bytes_of_paper) +
+                          (model.particle_shifting > 0 ? card_bytes_of_shift : 0);
   const double of_ground = card_bytes_of_any + ground_neighbours * list +
                            (is_fast ? card_bytes_of_ground_fast : card_bytes_of_ground_paper);
   return fluid * of_fluid + boundary * of_ground;

@@ -26,7 +26,7 @@ TEST(BenchCommand, WritesJsonWithAnEntryForEveryPart) {
       "             'dam_break'):\n"
       "    assert any(n.startswith(part + '/') for n in names), part\n"
       "for sweep in ('force sweep', 'motion sweep', 'wall pressure', 'force and matrix',\n"
-      "              'near motion', 'viscous solve'):\n"
+      "              'near motion', 'shifting', 'viscous solve'):\n"
       "    assert any(n.endswith('/' + sweep + '/share of peak') for n in names), sweep\n"
       "for part in ('steps', 'threads', 'particles', 'dry_terrain', 'dam_break'):\n"
       "    for method in ('fast', 'paper'):\n"

@@ -30,17 +30,6 @@ TEST(VerifyCommand, LeavesPageJsonAndPictures) {
   EXPECT_EQ(json.code, 0) << json.text;
 }
 
-TEST(VerifyCommand, StoppedInItsFirstCaseLeavesAPageWithoutResults) {
-  const TemporaryFolder folder;
-  const std::string at = (folder / "out").string();
-  const Outcome run =
-      run_shell("sabo verify hydrostatic --threads 1 --method fast -o '" + at +
-                "' & while ! test -d '" + at + "'; do sleep 0.05; done; kill $!; wait $!");
-  EXPECT_THAT(run.text, HasSubstr("0 of 0 cases pass"));
-  EXPECT_THAT(run.text, testing::Not(HasSubstr("error")));
-  EXPECT_THAT(folder.read("out/verify.json"), HasSubstr("["));
-}
-
 TEST(VerifyCommand, TellsOfAFolderThatItCannotMakeBeforeItRuns) {
   const TemporaryFolder folder;
   folder.write("file", "");

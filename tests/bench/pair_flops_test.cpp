@@ -122,6 +122,15 @@ TEST(PairFlops, OfNearMotionAreThoseOfItsFormulas) {
   EXPECT_EQ(flops_of_pair("near motion"), separation + formulas - kernel_constants);
 }
 
+TEST(PairFlops, OfShiftingAreThoseOfItsFormulas) {
+  const int formulas = operations_of([&] {
+    const auto pair = pair_geometry(vector, kernel);
+    Counted near(0);
+    near += continuity(pair, vector, one);
+  });
+  EXPECT_EQ(flops_of_pair("shifting"), separation + formulas - kernel_constants);
+}
+
 TEST(PairFlops, OfTheViscousSolveAreThoseOfOneEntryOfItsMatrix) {
   const int formulas = operations_of([&] {
     Vec3<Counted> product = vector;

@@ -137,6 +137,7 @@ void CpuBackend::fill_by_shifts(double dt) {
   const FlowView flow = view();
   over(fluid_.size(), threads(), PackShift{flow, motion_.data()});
   const FillByShifts fill{flow, dt};
+  pass_times_["shifting"].pairs += near_.size();
   parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
     std::array<float, sweep_block> near;
     sweeps_.shift(

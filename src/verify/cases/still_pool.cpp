@@ -1,5 +1,6 @@
 #include "verify/cases/still_pool.hpp"
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -24,6 +25,20 @@ void fill(Backend& backend, const Cells& cells, const std::function<bool(const V
   add_block(block, backend.model(), cells);
   for (const Vec3d& x : block.position)
     if (is_free(x)) add_particle(backend.fluid(), backend.model(), x);
+}
+
+/// Columns that stand on the ground and reach up to `depth`, as those of a release do. Cells of one
+/// lattice for all leave voids along the ground: what they give up in falling there moves them for
+/// long, and the water breathes.
+void stand_on(const Surface& surface, const std::array<int, 2>& columns, double depth,
+              Backend& backend) {
+  const double dp = backend.model().spacing;
+  for (int i = 0; i < columns[0]; ++i)
+    for (int j = 0; j < columns[1]; ++j) {
+      const double x = (i + 0.5) * dp, y = (j + 0.5) * dp, foot = surface.height(x, y);
+      for (int k = 0; k < cells_in(depth - foot, dp); ++k)
+        add_particle(backend.fluid(), backend.model(), {x, y, foot + (k + 0.5) * dp});
+    }
 }
 
 /// The volume (area) of the fluid and of the ground within it, over the area (length) in plan.
@@ -96,8 +111,7 @@ StillPool dem_pool(const FlowModel& model, double depth, bool is_rough) {
   });
   Ground ground(surface, {}, {dp, model.wall_layers(), model.state.rho0});
   ground.make_all(0, 0, width, width, backend->boundary());
-  fill(*backend, {0, across, 0, across, 0, cells_in(depth, dp)},
-       [&](const Vec3d& x) { return x.z > surface.height(x.x, x.y) + 0.25 * dp; });
+  stand_on(surface, {across, across}, depth, *backend);
   return levelled(std::move(backend), 0, width * width);
 }
 
@@ -115,14 +129,7 @@ StillPool box_pool(const FlowModel& model, double depth) {
   const int rim = cells_in(1.2 * depth, dp), corner = cells_in(width * slope, dp) - 2 * layers;
   add_block(backend->boundary(), model, {-layers, 0, 0, across, -2 * layers, rim});
   add_block(backend->boundary(), model, {columns, columns + layers, 0, across, corner, rim});
-  // Columns that stand on the slope, as those of a release do. Cells of one lattice for all leave
-  // voids along it: what they give up in falling there moves them for long, and the water breathes.
-  for (int i = 0; i < columns; ++i) {
-    const double x = (i + 0.5) * dp, foot = x * slope;
-    for (int j = 0; j < across; ++j)
-      for (int k = 0; k < cells_in(depth - foot, dp); ++k)
-        add_particle(backend->fluid(), model, {x, (j + 0.5) * dp, foot + (k + 0.5) * dp});
-  }
+  stand_on(surface, {columns, across}, depth, *backend);
   const double area = width * across * dp;
   return levelled(std::move(backend), 0.5 * slope * width * area, area);
 }
