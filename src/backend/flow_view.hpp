@@ -2,6 +2,7 @@
 
 #include "backend/filling.hpp"
 #include "backend/model.hpp"
+#include "backend/shift.hpp"
 #include "backend/wall_share.hpp"
 #include "math/sym3.hpp"
 #include "particles/particle_view.hpp"
@@ -37,7 +38,7 @@ struct FlowView {
   Vec3d* background = nullptr;  ///< density gradient that diffusion leaves alone, 1/m
   Filling* filling = nullptr;
   double* artificial_heat = nullptr;  ///< W/kg
-  Vec3d* shift = nullptr;             ///< of the last step, m
+  Shift* shift = nullptr;             ///< of the last step
 };
 
 /// Points a view at the arrays of a backend, which have the same names wherever they live.

@@ -110,7 +110,7 @@ class HostBackend : public Backend {
   std::vector<Vec3d> background_;  ///< density gradient that diffusion leaves alone, 1/m
   std::vector<Filling> filling_;
   std::vector<double> artificial_heat_;  ///< W/kg
-  std::vector<Vec3d> shift_;             ///< of the last step, m
+  std::vector<Shift> shift_;             ///< of the last step
 
  private:
   void settle_driven();

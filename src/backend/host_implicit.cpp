@@ -37,6 +37,7 @@ void HostBackend::advance_state(double dt) {
   numerical_heat_.artificial_viscosity += dt * heat.artificial;
   numerical_heat_.density_diffusion += heat.diffusion;
   numerical_heat_.density_hold += heat.hold;
+  numerical_heat_.shifting += heat.shifting;
   find_viscosity();
 }
 

@@ -7,12 +7,13 @@ struct NumericalHeat {
   double artificial_viscosity = 0;  ///< fast; of the explicit method it is a part of dissipation
   double density_diffusion = 0;
   double density_hold = 0;  ///< fast: density held to the places of the particles
+  double shifting = 0;      ///< fast: particles shifted to more even places
   double sound_speed = 0;   ///< fast: compression at the same pressure with another speed of sound
   double walls = 0;  ///< paper: pressure against walls whose own density follows continuity, with
                      ///< what they keep as compression of their own
 
   double total() const {
-    return artificial_viscosity + density_diffusion + density_hold + sound_speed + walls;
+    return artificial_viscosity + density_diffusion + density_hold + shifting + sound_speed + walls;
   }
 };
 

@@ -70,7 +70,7 @@ std::optional<BatchRecord> finished_record(const std::filesystem::path& folder, 
   record.energy_imbalance = number("energy", "imbalance");
   if (const double released = number("energy", "released_J"); released > 0)
     for (const char* key : {"artificial_viscosity_J", "density_diffusion_J", "density_hold_J",
-                            "sound_speed_J", "walls_J"})
+                            "shifting_J", "sound_speed_J", "walls_J"})
       record.energy_to_scheme += number("energy", key) / released;
   record.quantities = numbers_of(table_at(*manifest, "quantities"));
   return record;

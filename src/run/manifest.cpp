@@ -88,10 +88,11 @@ std::string energy_text(const EnergyBalance& energy, const NumericalHeat& numeri
   return fmt::format(
       "\n[energy]\nreleased_J = {:.9g}\nkinetic_J = {:.9g}\ndissipated_J = {:.9g}\n"
       "artificial_viscosity_J = {:.9g}\ndensity_diffusion_J = {:.9g}\ndensity_hold_J = {:.9g}\n"
-      "sound_speed_J = {:.9g}\nwalls_J = {:.9g}\ncarried_off_J = {:.9g}\nimbalance = {:.6f}\n",
+      "shifting_J = {:.9g}\nsound_speed_J = {:.9g}\nwalls_J = {:.9g}\ncarried_off_J = "
+      "{:.9g}\nimbalance = {:.6f}\n",
       energy.released, energy.kinetic, energy.dissipated, numerical.artificial_viscosity,
-      numerical.density_diffusion, numerical.density_hold, numerical.sound_speed, numerical.walls,
-      energy.carried_off, energy.imbalance());
+      numerical.density_diffusion, numerical.density_hold, numerical.shifting,
+      numerical.sound_speed, numerical.walls, energy.carried_off, energy.imbalance());
 }
 
 std::string quantities_text(const std::vector<KeyQuantity>& quantities) {

@@ -95,6 +95,40 @@ TEST(Shifting, TakesFillingAndDensityBackTogether) {
   }
 }
 
+struct Account {
+  double energy = 0;  ///< kinetic, potential and of compression, J
+  double heat = 0;    ///< that shifting has taken, J
+};
+
+/// After a step of a compressed fluid, the same but for what shifting does.
+Account account_of(test::On kind, double shifting) {
+  FlowModel model = sheared(shifting);
+  model.gravity = {0, 0, -9.81};
+  model.periodic.period = {Vec3d{2, 0, 0}, Vec3d{}, Vec3d{0, 0, 2}};
+  const auto backend = test::make_backend(kind, model);
+  fill(*backend, 20);
+  for (double& density : backend->fluid().density) density *= 1.01;
+  FastStepper stepper(*backend, test::fast_rule_of(model), nullptr);
+  stepper.step(2e-5);
+  const Particles& fluid = backend->fluid();
+  Account account{0, backend->numerical_heat().shifting};
+  for (std::size_t i = 0; i < fluid.size(); ++i)
+    account.energy += fluid.mass[i] * (0.5 * dot(fluid.velocity[i], fluid.velocity[i]) -
+                                       dot(model.gravity, fluid.position[i]) +
+                                       backend->model().state.elastic_energy(fluid.density[i]));
+  return account;
+}
+
+// To first order in the shifts, as density is.
+TEST(Shifting, BooksTheEnergyThatItTakes) {
+  for (const test::On kind : test::backends()) {
+    const Account plain = account_of(kind, 0), shifted = account_of(kind, 400);
+    EXPECT_EQ(plain.heat, 0);
+    EXPECT_GT(std::abs(shifted.heat), 1);
+    EXPECT_NEAR((plain.energy - shifted.energy) / shifted.heat, 1, 0.05);
+  }
+}
+
 TEST(Shifting, LeavesAFlowWithoutStrainAlone) {
   for (const test::On kind : test::backends()) {
     FlowModel model = sheared(20);

@@ -193,7 +193,8 @@ class DeviceBackend : public Backend {
   Array<double> start_density_, start_boundary_density_;
 
   // Of the implicit method; empty until its sweeps run.
-  Array<Vec3d> wall_slope_, background_, shift_;
+  Array<Vec3d> wall_slope_, background_;
+  Array<Shift> shift_;
   Array<double> artificial_heat_;
   Array<FlowRecord> flow_records_;
   Array<float> wall_weight_;

@@ -123,6 +123,7 @@ void DeviceBackend<Executor>::advance_state(double dt) {
   numerical_heat_.artificial_viscosity += dt * heat.artificial;
   numerical_heat_.density_diffusion += heat.diffusion;
   numerical_heat_.density_hold += heat.hold;
+  numerical_heat_.shifting += heat.shifting;
   std::visit(
       [&](const auto& law) {
         over_awake(FindViscosity<std::decay_t<decltype(law)>>{view(), law});

@@ -141,7 +141,8 @@ Particles DeviceBackend<Executor>::boundary_bodies() const {
 template <class Executor>
 void DeviceBackend<Executor>::forget_results() {
   for (auto* array : {&strain_, &stress_}) on_.release(*array);
-  for (auto* array : {&wall_slope_, &background_, &shift_}) on_.release(*array);
+  for (auto* array : {&wall_slope_, &background_}) on_.release(*array);
+  on_.release(shift_);
   for (auto* array :
        {&wall_drag_, &support_, &artificial_heat_, &diffusion_rate_, &wall_heat_, &pressure_power_})
     on_.release(*array);

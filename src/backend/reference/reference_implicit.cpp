@@ -142,7 +142,7 @@ void ReferenceBackend::fill_by_shifts(double dt) {
   for (const std::uint32_t i : awake_) {
     double near = 0;
     for_each_neighbour(i, true, [&](std::size_t j, const PairGeometry<double>& pair) {
-      near += mass(j) / model_.state.rho0 * pair.gradient * dot(shift_[j], pair.x);
+      near += mass(j) / model_.state.rho0 * pair.gradient * dot(shift_[j].by, pair.x);
     });
     fill(i, near);
   }

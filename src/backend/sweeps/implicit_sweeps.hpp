@@ -110,11 +110,12 @@ SABO_HD inline double held_to_places(const FlowView& flow, double density, std::
 
 /// What the scheme takes from the energy of the flow: artificial viscosity in W, the others in J.
 struct StepHeat {
-  double artificial = 0, diffusion = 0, hold = 0;
+  double artificial = 0, diffusion = 0, hold = 0, shifting = 0;
   SABO_HD void join(const StepHeat& other) {
     artificial += other.artificial;
     diffusion += other.diffusion;
     hold += other.hold;
+    shifting += other.shifting;
   }
 };
 
@@ -146,7 +147,13 @@ struct AdvanceState {
     const double mass = fluid.mass[i];
     if (flow.model.artificial_viscosity > 0) sum.artificial += mass * flow.artificial_heat[i];
     const double pressure = borne_pressure(state, mean, borne);
-    sum.diffusion += -mass * pressure / (mean * mean) * dt * flow.diffusion_rate[i];
+    const double per_density = pressure / (mean * mean);
+    sum.diffusion -= mass * per_density * dt * flow.diffusion_rate[i];
+    if (flow.model.particle_shifting > 0 && dt > 0) {
+      const Shift& shift = flow.shift[i];
+      const Vec3d force = flow.model.body_force(fluid.position[i]);
+      sum.shifting += mass * (dot(force, shift.by) - per_density * state.rho0 * shift.filled);
+    }
     sum.hold += mass * (borne_energy(state, moved, borne) - borne_energy(state, held, borne));
     fluid.position[i] += dt * fluid.velocity[i];
     fluid.calm[i] = is_calm(flow, i) ? fluid.calm[i] + dt : 0;

@@ -36,7 +36,7 @@ struct FindShift {
     const Vec3d shift = -diffusivity * flow.filling[i].gradient;
     const double most = most_shift * flow.model.spacing;
     const double size = norm(shift);
-    flow.shift[i] = size > most ? (most / size) * shift : shift;
+    flow.shift[i] = {size > most ? (most / size) * shift : shift, 0};
   }
 };
 
@@ -49,8 +49,9 @@ struct FillByShifts {
   double dt;
 
   SABO_HD void operator()(std::size_t i, double near) const {
-    const double filled = dot(flow.shift[i], flow.filling[i].gradient) - near;
-    flow.density_rate[i] += flow.model.state.rho0 / dt * filled;
+    Shift& shift = flow.shift[i];
+    shift.filled = dot(shift.by, flow.filling[i].gradient) - near;
+    flow.density_rate[i] += flow.model.state.rho0 / dt * shift.filled;
   }
 };
 
@@ -61,7 +62,7 @@ struct PackShift {
 
   SABO_HD void operator()(std::size_t i) const {
     MotionRecord& record = records[i];
-    const Vec3d& shift = flow.shift[i];
+    const Vec3d& shift = flow.shift[i].by;
     record.vx = float(shift.x);
     record.vy = float(shift.y);
     record.vz = float(shift.z);
@@ -71,7 +72,7 @@ struct PackShift {
 
 struct MoveByShift {
   FlowView flow;
-  SABO_HD void operator()(std::size_t i) const { flow.fluid.position[i] += flow.shift[i]; }
+  SABO_HD void operator()(std::size_t i) const { flow.fluid.position[i] += flow.shift[i].by; }
 };
 
 }  // namespace sabo

@@ -50,6 +50,7 @@ void add_energy_table(Report& report) {
                                    {"artificial_viscosity_J", "ledger.artificial_viscosity"},
                                    {"density_diffusion_J", "ledger.density_diffusion"},
                                    {"density_hold_J", "ledger.density_hold"},
+                                   {"shifting_J", "ledger.shifting"},
                                    {"sound_speed_J", "ledger.sound_speed"},
                                    {"walls_J", "ledger.walls"},
                                    {"carried_off_J", "ledger.carried_off"}})
