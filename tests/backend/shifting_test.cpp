@@ -119,12 +119,12 @@ Account account_of(test::On kind, double shifting) {
   return account;
 }
 
-// To first order in the shifts, as density is.
+// Here it gives: shifts of this size make the even density of disordered particles uneven.
 TEST(Shifting, BooksTheEnergyThatItTakes) {
   for (const test::On kind : test::backends()) {
     const Account plain = account_of(kind, 0), shifted = account_of(kind, 400);
     EXPECT_EQ(plain.heat, 0);
-    EXPECT_GT(std::abs(shifted.heat), 1);
+    EXPECT_LT(shifted.heat, -1);
     EXPECT_NEAR((plain.energy - shifted.energy) / shifted.heat, 1, 0.05);
   }
 }
