@@ -2,7 +2,9 @@
 // sheared layers beside it. Each law against its own exact profile, since each regularisation is a
 // fluid of its own.
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "verify/cases.hpp"
 #include "verify/profile.hpp"
@@ -111,6 +113,31 @@ Outcome run(const Fluid& one, int cells, double yield, const VerifySettings& set
   return outcome;
 }
 
+/// The gate of the error names 50 particles across, that of the plug no number: it is held by the
+/// finest run.
+struct Place {
+  int cells, gated, finest;  ///< particles across
+  bool is_quick;
+};
+
+void add_claims(const Fluid& one, const Outcome& outcome, double greatest_gradient,
+                const Place& place, Verdict& verdict) {
+  const std::string where = fmt::format("{}, {} across: ", one.name, place.cells);
+  const double share = place.is_quick ? 0.04 : 0.015;
+  const auto add = [&](Claim claim) { verdict.claims.push_back(std::move(claim)); };
+  if (place.cells == place.gated) {
+    add(Claim::at_most(where + "L2 error", "", outcome.error, share));
+    if (one.plug_speed > 0)
+      add(Claim::within_share(where + "plug speed", "m/s", outcome.speed, one.plug_speed, share));
+  }
+  if (!has_yield(one.law) || place.is_quick) return;
+  const std::string gradient = where + "gradient in the plug";
+  if (place.cells == place.finest)
+    add(Claim::at_most(gradient, "1/s", outcome.gradient, greatest_gradient));
+  else if (place.cells == place.gated)
+    add(Claim::told(gradient, "1/s", outcome.gradient, greatest_gradient));
+}
+
 }  // namespace
 
 Verdict verify_slit(const VerifySettings& settings) {
@@ -118,8 +145,11 @@ Verdict verify_slit(const VerifySettings& settings) {
   const bool is_coarse = settings.method == Method::paper && settings.effort != Effort::extended;
   const std::vector<int> resolutions = quick       ? std::vector{20}
                                        : is_coarse ? std::vector{12, 25}
-                                                   : std::vector{12, 25, 50};
+                                       : settings.method == Method::paper
+                                           ? std::vector{12, 25, 50}
+                                           : std::vector{25, 50, 100};
   const int finest = resolutions.back();
+  const int gated = std::min(finest, 50);
   const std::vector<Fluid> list = fluids(settings);
   double work = 0, done = 0;
   for (const int cells : resolutions) work += static_cast<double>(list.size()) * cells * cells;
@@ -127,7 +157,7 @@ Verdict verify_slit(const VerifySettings& settings) {
   Verdict verdict;
   std::vector<ChartSeries> errors;
   LineChart chart{fmt::format("Slit, {} particles across", finest), "height [m]", "speed [m/s]"};
-  double cross_gradient = 0;
+  std::map<int, double> cross_gradient;  // over the particles of the plug, by their number across
   for (const Fluid& one : list) {
     ChartSeries over_spacing{one.name};
     for (const int cells : resolutions) {
@@ -135,18 +165,9 @@ Verdict verify_slit(const VerifySettings& settings) {
       settings.on_progress(std::min(1.0, (done += cells * cells / work)));
       over_spacing.x.push_back(height / cells);
       over_spacing.y.push_back(outcome.error);
-      if (cells != finest) continue;
-      const std::string where = fmt::format("{}, {} across: ", one.name, cells);
-      verdict.claims.push_back(
-          Claim::at_most(where + "L2 error", "", outcome.error, quick ? 0.04 : 0.015));
-      if (cross_gradient == 0) cross_gradient = outcome.exact_gradient;
-      if (has_yield(one.law) && !quick)
-        verdict.claims.push_back(Claim::at_most(where + "gradient in the plug", "1/s",
-                                                outcome.gradient, 2 * cross_gradient));
-      if (one.plug_speed > 0)
-        verdict.claims.push_back(Claim::within_share(where + "plug speed", "m/s", outcome.speed,
-                                                     one.plug_speed, quick ? 0.04 : 0.015));
-      if (!one.is_drawn) continue;
+      if (&one == &list.front()) cross_gradient[cells] = outcome.exact_gradient;
+      add_claims(one, outcome, 2 * cross_gradient[cells], {cells, gated, finest, quick}, verdict);
+      if (cells != finest || !one.is_drawn) continue;
       chart.series.push_back(std::move(outcome.profile));
       ChartSeries exact = exact_series(one.name + ", exact", exact_profile(one.law), height);
       chart.series.push_back(std::move(exact));
@@ -166,7 +187,8 @@ Verdict verify_slit(const VerifySettings& settings) {
     verdict.remarks = {
         "plug: a sum over the kernel smooths the shear rate across the edge of the plug. In one "
         "dimension that alone makes the exact Bingham fluid, cap 1000 μB, 0.7 % faster at 50 "
-        "particles, with a gradient of 0.0029 1/s in the plug, and 0.0006 1/s at 100"};
+        "particles, with a gradient of 0.0029 1/s in the plug, and 0.0006 1/s at 100, where the "
+        "kernel hardly reaches from the edge to where the gradient is measured"};
     if (settings.method == Method::paper)
       verdict.remarks.push_back(
           "explicit steps fall with the square of the spacing over the viscosity at rest: 25 "
