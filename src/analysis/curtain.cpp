@@ -4,8 +4,17 @@
 #include <limits>
 #include <utility>
 
+#include "base/host_loops.hpp"
+
 namespace sabo {
 namespace {
+
+struct CrossingList {
+  std::vector<Crossing> crossings;
+  void join(const CrossingList& next) {
+    crossings.insert(crossings.end(), next.crossings.begin(), next.crossings.end());
+  }
+};
 
 /// Twice the signed area of the triangle a b c: positive when c is to the left of a -> b.
 double turn(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
@@ -56,6 +65,17 @@ int Curtain::count(const Vec3d& from, const Vec3d& to) const {
     net += starts_left ? 1 : -1;
   }
   return net;
+}
+
+std::vector<Crossing> Curtain::crossings(std::span<const Vec3d> from, std::span<const Vec3d> to,
+                                         int threads) const {
+  return blocked_sum<CrossingList>(
+             from.size(), host_threads(threads),
+             [&](std::size_t i, CrossingList& list) {
+               if (const int net = crossings(from[i], to[i]); net != 0)
+                 list.crossings.push_back({static_cast<std::uint32_t>(i), net});
+             })
+      .crossings;
 }
 
 }  // namespace sabo

@@ -1,8 +1,18 @@
 #pragma once
 
+#include <cstdint>
+#include <span>
+#include <vector>
+
 #include "terrain/polyline.hpp"
 
 namespace sabo {
+
+/// A path that has crossed a curtain.
+struct Crossing {
+  std::uint32_t row;
+  int net;  ///< not 0
+};
 
 /// Vertical curtain over a polyline, open at its ends; counts the straight paths that cross it.
 class Curtain {
@@ -22,6 +32,10 @@ class Curtain {
                           (from.y < south_ && to.y < south_) || (from.y > north_ && to.y > north_);
     return is_apart ? 0 : count(from, to);
   }
+
+  /// Those of many paths from -> to that cross it, in their order. Threads: 0 stands for all.
+  std::vector<Crossing> crossings(std::span<const Vec3d> from, std::span<const Vec3d> to,
+                                  int threads) const;
 
   const Polyline& line() const { return line_; }
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "analysis/curtain.hpp"
-#include "particles/particles.hpp"
+#include "particles/places.hpp"
 
 namespace sabo {
 
@@ -25,8 +25,9 @@ class Section {
   void record(const Vec3d& from, const Vec3d& to, double volume);
 
   /// All particles at once: from `before` (one position a row, see Tracks) to where they are.
-  void record(const std::vector<Vec3d>& before, const Particles& particles,
-              double reference_density);
+  /// Threads: 0 stands for all.
+  void record(const std::vector<Vec3d>& before, const Places& particles, double reference_density,
+              int threads = 1);
 
   /// Since the start.
   const SectionVolumes& total() const { return total_; }
@@ -40,6 +41,8 @@ class Section {
   }
 
  private:
+  void add(int net, double volume);
+
   Curtain curtain_;
   SectionVolumes total_;
   SectionVolumes interval_;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "particles/particles.hpp"
+#include "particles/places.hpp"
 
 namespace sabo {
 
@@ -12,7 +12,8 @@ class Tracks {
  public:
   /// Positions at the last call in the row order of `particles`, and keeps the present ones. A
   /// particle seen for the first time has its present position. Valid until the next call.
-  const std::vector<Vec3d>& advance(const Particles& particles);
+  /// Threads: 0 stands for all.
+  const std::vector<Vec3d>& advance(const Places& particles, int threads = 1);
 
   template <class Archive>
   void archive(Archive& a) {

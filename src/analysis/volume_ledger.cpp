@@ -17,11 +17,9 @@ void VolumeLedger::release(const Particles& particles) {
   }
 }
 
-void VolumeLedger::record(const std::vector<Vec3d>& before, const Particles& particles) {
+void VolumeLedger::record(const std::vector<Vec3d>& before, const Places& particles, int threads) {
   if (!dam_) return;
-  for (std::size_t i = 0; i < particles.size(); ++i) {
-    const int net = dam_->crossings(before[i], particles.position[i]);
-    if (net == 0) continue;
+  for (const auto& [i, net] : dam_->crossings(before, particles.position, threads)) {
     int& crossings = crossings_[particles.id[i]];
     const bool was_beyond = crossings > 0;
     crossings += downstream_ * net;

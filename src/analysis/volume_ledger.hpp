@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "analysis/curtain.hpp"
-#include "particles/particles.hpp"
+#include "particles/places.hpp"
 
 namespace sabo {
 
@@ -35,8 +35,9 @@ class VolumeLedger {
   /// leaves.
   void release(const Particles& particles);
 
-  /// Paths from `before` (one position a row, see Tracks) to where the particles are.
-  void record(const std::vector<Vec3d>& before, const Particles& particles);
+  /// Paths from `before` (one position a row, see Tracks) to where the particles are. Threads: 0
+  /// stands for all.
+  void record(const std::vector<Vec3d>& before, const Places& particles, int threads = 1);
 
   /// Particles that left the domain, their last path recorded; they must not come back.
   void leave(const Particles& particles);

@@ -11,7 +11,8 @@
 #include "backend/pass_times.hpp"
 #include "backend/viscous_solve.hpp"
 #include "base/archive.hpp"
-#include "particles/particles.hpp"
+#include "particles/boundary_change.hpp"
+#include "particles/places.hpp"
 #include "physics/time_step.hpp"
 
 namespace sabo {
@@ -56,6 +57,10 @@ class Backend {
   virtual Particles& boundary() = 0;
   /// Where the fluid is: less than all that fluid() fetches, and nothing to hand back.
   virtual const std::vector<Vec3d>& positions() = 0;
+  /// The same with numbers and masses, in the order of fluid(). Good until the next sweep.
+  virtual Places places() = 0;
+  /// Takes boundary particles out and adds others, where they are; as a change from outside.
+  virtual void change_boundary(const BoundaryChange& change) = 0;
 
   /// Lets a function change place and velocity of the driven particles, all of which are among
   /// those that it is given; neighbours need not be found anew.

@@ -18,7 +18,9 @@ class HostBackend : public Backend {
 
   Particles& fluid() override { return fluid_; }
   const std::vector<Vec3d>& positions() override { return fluid_.position; }
+  Places places() override { return fluid_; }
   Particles& boundary() override { return boundary_; }
+  void change_boundary(const BoundaryChange& change) override { change.apply_to(boundary_); }
   void change_driven(const std::function<void(Particles&)>& change) override { change(fluid_); }
   std::size_t fluid_count() const override { return fluid_.size(); }
   std::size_t boundary_count() const override { return boundary_.size(); }

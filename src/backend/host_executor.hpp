@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend/host_loops.hpp"
+#include "base/host_loops.hpp"
 
 namespace sabo {
 

@@ -33,6 +33,13 @@ void Particles::append(const Particles& source, const std::vector<std::uint32_t>
 #undef SABO_APPEND_FIELD
 }
 
+void Particles::append(const Particles& source) {
+#define SABO_APPEND_FIELD(type, name, unit, meaning, is_shown) \
+  name.insert(name.end(), source.name.begin(), source.name.end());
+  SABO_PARTICLE_FIELDS(SABO_APPEND_FIELD)
+#undef SABO_APPEND_FIELD
+}
+
 void Particles::check_lengths() const {
 #define SABO_CHECK_FIELD(type, name, unit, meaning, is_shown) \
   if (name.size() != size()) throw RunError("holds arrays of particles that differ in length");

@@ -40,6 +40,8 @@ struct Particles {
 
   /// Appends the given rows of another set.
   void append(const Particles& source, const std::vector<std::uint32_t>& rows);
+  /// Appends all of another set.
+  void append(const Particles& source);
 
   /// Throws RunError when the arrays that are read differ in length.
   template <class Archive>

@@ -10,7 +10,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
-#include "backend/host_loops.hpp"
+#include "base/host_loops.hpp"
 #include "run/flow.hpp"
 #include "run/memory_estimate.hpp"
 

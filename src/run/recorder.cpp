@@ -165,19 +165,20 @@ void Recorder::after_step(const Stepper& stepper, const StepReport& report, Back
   if (is_copied && unseen_ < look_distance_ && travelled_ < sampling_distance_ &&
       !rest_.is_due(time))
     return;
-  look(time, backend.fluid());
+  look(time, backend);
 }
 
 /// Where the particles are now, and which lines they have crossed on the straight way from where
 /// they were at the last look. One that costs a copy is not taken at every step.
-void Recorder::look(double time, const Particles& fluid) {
-  const std::vector<Vec3d>& before = tracks_.advance(fluid);
+void Recorder::look(double time, Backend& backend) {
+  const Places now = backend.places();
+  const std::vector<Vec3d>& before = tracks_.advance(now, model_.threads);
   unseen_ = 0;
-  for (Section& section : sections_) section.record(before, fluid, model_.state.rho0);
-  for (VolumeLedger& ledger : ledgers_) ledger.record(before, fluid);
-  if (rest_.is_due(time)) rest_.update(time, fluid);
+  for (Section& section : sections_) section.record(before, now, model_.state.rho0, model_.threads);
+  for (VolumeLedger& ledger : ledgers_) ledger.record(before, now, model_.threads);
+  if (rest_.is_due(time)) rest_.update(time, backend.fluid());
   if (travelled_ < sampling_distance_) return;
-  maps_.update(time, fluid);
+  maps_.update(time, backend.fluid());
   travelled_ = 0;
 }
 
@@ -193,7 +194,7 @@ void Recorder::after_renewal(Domain& domain, const Tait& state) {
 }
 
 void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backend& backend) {
-  if (unseen_ > 0) look(stepper.time(), backend.fluid());
+  if (unseen_ > 0) look(stepper.time(), backend);
   SeriesRow row;
   row.time = stepper.time();
   const double interval = rows_.empty() ? 0 : row.time - rows_.back().time;

@@ -108,7 +108,7 @@ class Recorder {
   void follow(const Particles& fluid);
 
  private:
-  void look(double time, const Particles& fluid);
+  void look(double time, Backend& backend);
   void check_energy(const SeriesRow& row) const;
   void write_zones(SeriesRow& row);
   void write_solver_row(const Stepper& stepper, const StepReport& report, Backend& backend);

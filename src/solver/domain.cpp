@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "backend/host_loops.hpp"
+#include "base/host_loops.hpp"
 
 namespace sabo {
 namespace {
@@ -51,8 +51,8 @@ void Domain::update(Backend& backend) {
     departed_.append(fluid, leaving);
     if (!leaving.empty()) fluid.permute(staying);
   }
-  ground_.follow(backend.positions(), backend.list_radius(),
-                 [&]() -> Particles& { return backend.boundary(); });
+  const BoundaryChange change = ground_.follow(backend.positions(), backend.list_radius());
+  if (!change.is_empty()) backend.change_boundary(change);
 }
 
 Domain::Place Domain::place_of(const Vec3d& x) const {

@@ -115,25 +115,9 @@ std::int64_t Ground::tile_at(double x, double y) const {
   return key_of(tile.west, tile.south);
 }
 
-bool Ground::follow(const std::vector<Vec3d>& fluid, double reach,
-                    const std::function<Particles&()>& boundary) {
+BoundaryChange Ground::follow(const std::vector<Vec3d>& fluid, double reach) {
   const std::vector<std::int64_t> wanted = tiles_near(fluid, reach);
-  const std::vector<Tile> dropped = drop_tiles_except(wanted);
-  if (!dropped.empty()) {
-    const auto is_dropped = [&](std::uint32_t id) {
-      const auto after =
-          std::upper_bound(dropped.begin(), dropped.end(), id,
-                           [](std::uint32_t value, const Tile& t) { return value < t.first_id; });
-      return after != dropped.begin() && id - std::prev(after)->first_id < std::prev(after)->count;
-    };
-    Particles& present = boundary();
-    std::vector<std::uint32_t> kept;
-    for (std::uint32_t k = 0; k < present.size(); ++k) {
-      if (!is_dropped(present.id[k])) kept.push_back(k);
-    }
-    present.permute(kept);
-  }
-
+  BoundaryChange change{drop_tiles_except(wanted), {}};
   std::vector<GroundPoint> made;
   for (const std::int64_t key : wanted) {
     const auto [tile, is_new] = tiles_.try_emplace(key);
@@ -143,8 +127,8 @@ bool Ground::follow(const std::vector<Vec3d>& fluid, double reach,
     tile->second = {next_id_ + static_cast<std::uint32_t>(before),
                     static_cast<std::uint32_t>(made.size() - before)};
   }
-  if (!made.empty()) append(made, boundary());
-  return !dropped.empty() || !made.empty();
+  append(made, change.made);
+  return change;
 }
 
 void Ground::make_all(double west, double south, double east, double north, Particles& into) {
@@ -181,8 +165,8 @@ std::vector<std::int64_t> Ground::tiles_near(const std::vector<Vec3d>& fluid, do
 }
 
 /// Forgets the tiles that are not wanted; returns those that held particles, sorted by id.
-std::vector<Ground::Tile> Ground::drop_tiles_except(const std::vector<std::int64_t>& wanted) {
-  std::vector<Tile> dropped;
+std::vector<IdRun> Ground::drop_tiles_except(const std::vector<std::int64_t>& wanted) {
+  std::vector<IdRun> dropped;
   for (auto tile = tiles_.begin(); tile != tiles_.end();) {
     if (std::binary_search(wanted.begin(), wanted.end(), tile->first)) {
       ++tile;
@@ -192,7 +176,7 @@ std::vector<Ground::Tile> Ground::drop_tiles_except(const std::vector<std::int64
     tile = tiles_.erase(tile);
   }
   std::sort(dropped.begin(), dropped.end(),
-            [](const Tile& a, const Tile& b) { return a.first_id < b.first_id; });
+            [](const IdRun& a, const IdRun& b) { return a.first < b.first; });
   return dropped;
 }
 

@@ -2,11 +2,10 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <vector>
 
-#include "particles/particles.hpp"
+#include "particles/boundary_change.hpp"
 #include "terrain/body.hpp"
 #include "terrain/check_dam.hpp"
 #include "terrain/dam_columns.hpp"
@@ -26,15 +25,10 @@ class Ground {
   Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundSettings& settings,
          std::vector<Body> bodies = {});
 
-  /// Makes the tiles within `reach` (m, in plan) of any fluid particle and drops the others.
-  /// `boundary` holds what the last call left there, in any order and with its fields advanced by
-  /// the solver: kept particles keep all their fields. Returns whether the set changed.
-  /// The boundary is asked for only where it does.
-  bool follow(const std::vector<Vec3d>& fluid, double reach,
-              const std::function<Particles&()>& boundary);
-  bool follow(const std::vector<Vec3d>& fluid, double reach, Particles& boundary) {
-    return follow(fluid, reach, [&]() -> Particles& { return boundary; });
-  }
+  /// Makes the tiles within `reach` (m, in plan) of any fluid particle and drops the others: what
+  /// is to change in the boundary as the last call left it, in whatever order it is and with
+  /// whatever fields the solver has advanced.
+  BoundaryChange follow(const std::vector<Vec3d>& fluid, double reach);
 
   /// Appends every lattice column of the terrain whose centre lies in a rectangle, for periodic
   /// set-ups, without dams and without columns beyond an edge of the domain. follow() knows nothing
@@ -60,14 +54,8 @@ class Ground {
   }
 
  private:
-  /// Particles of one tile: a run of ids.
-  struct Tile {
-    std::uint32_t first_id = 0;
-    std::uint32_t count = 0;
-  };
-
   std::vector<std::int64_t> tiles_near(const std::vector<Vec3d>& fluid, double reach) const;
-  std::vector<Tile> drop_tiles_except(const std::vector<std::int64_t>& wanted);
+  std::vector<IdRun> drop_tiles_except(const std::vector<std::int64_t>& wanted);
   void make_tile(std::int64_t key, std::vector<GroundPoint>& into) const;
   void append(const std::vector<GroundPoint>& points, Particles& into);
 
@@ -89,7 +77,7 @@ class Ground {
   double tile_size_;
   std::map<std::int64_t, std::vector<DamColumn>> dam_columns_;    // by tile
   std::map<std::int64_t, std::vector<GroundPoint>> body_points_;  // by tile
-  std::map<std::int64_t, Tile> tiles_;
+  std::map<std::int64_t, IdRun> tiles_;                           // their particles
   std::uint32_t next_id_ = 0;
 };
 

@@ -54,6 +54,36 @@ TEST(Curtain, a_zigzag_is_crossed_as_often_as_it_turns) {
   EXPECT_EQ(teeth.crossings({-1, 1, 0}, {7, 1, 0}), 0) << "touches the upper tips only";
 }
 
+TEST(Curtain, lists_the_crossings_of_many_paths_in_their_order) {
+  EXPECT_TRUE(rc::check("the same by one thread and by several", [] {
+    const Curtain curtain({{{0, -2, 0}, {0, 1, 0}, {1, 3, 0}}});
+    const auto count = static_cast<std::size_t>(*rc::gen::inRange(0, 9000));
+    std::vector<Vec3d> from(count), to(count);
+    std::uint32_t state = static_cast<std::uint32_t>(*rc::gen::inRange(1, 1 << 30));
+    const auto next = [&] {
+      state = state * 1664525U + 1013904223U;
+      return static_cast<double>(state >> 29) - 4;
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+      from[i] = {next(), next(), 0};
+      to[i] = {next(), next(), 0};
+    }
+    for (const int threads : {1, 3}) {
+      const std::vector<Crossing> found = curtain.crossings(from, to, threads);
+      std::size_t k = 0;
+      for (std::size_t i = 0; i < count; ++i) {
+        const int net = curtain.crossings(from[i], to[i]);
+        if (net == 0) continue;
+        RC_ASSERT(k < found.size());
+        RC_ASSERT(found[k].row == i);
+        RC_ASSERT(found[k].net == net);
+        ++k;
+      }
+      RC_ASSERT(k == found.size());
+    }
+  }));
+}
+
 TEST(Curtain, walks_about_a_straight_line_count_their_change_of_side) {
   EXPECT_TRUE(rc::check("net = side at the end - side at the start", [] {
     Vec3d a = lattice_point(4);

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <map>
 #include <memory>
 
@@ -113,6 +114,79 @@ TEST_P(Device, TakesChangesOfTheHostOver) {
   const auto [position, velocity] = state_of(*backend).at(1000);
   EXPECT_NEAR(velocity.z, -1 - 9.81 * dt, 1e-5);  // the solve is in single precision
   EXPECT_NEAR(position.z, 5 + dt * velocity.z, 1e-12);
+}
+
+/// Takes the western half of the floor away and lays a row beside its eastern side.
+BoundaryChange moved_floor(Backend& backend) {
+  BoundaryChange change;
+  const Particles& floor = backend.boundary();
+  std::vector<std::uint32_t> gone;
+  for (std::size_t k = 0; k < floor.size(); ++k)
+    if (floor.position[k].x < 0.3) gone.push_back(floor.id[k]);
+  std::ranges::sort(gone);
+  for (const std::uint32_t id : gone) {
+    if (!change.dropped.empty() && id == change.dropped.back().first + change.dropped.back().count)
+      ++change.dropped.back().count;
+    else
+      change.dropped.push_back({id, 1});
+  }
+  test::add_block(change.made, backend.model(), {12, 13, -6, 12, -3, 0});
+  for (std::uint32_t& id : change.made.id) id += 10000;
+  return change;
+}
+
+// Where the arrays are makes no difference to what becomes of them, whether or not the host has
+// asked for the boundary before.
+TEST_P(Device, ChangesTheBoundaryAsTheHostDoes) {
+  const auto seen = make(collapsing()), unseen = make(collapsing());
+  const auto cpu = make_backend(BackendKind::cpu, collapsing());
+  for (Backend* backend : {seen.get(), unseen.get(), cpu.get()}) {
+    collapsed(*backend, Method::fast, 20);
+    const BoundaryChange change = moved_floor(*backend);
+    EXPECT_GT(change.dropped.size(), 1u);
+    // The host's copy is out of date after a step, unless the host asks for it.
+    const auto stepper = test::stepper_of(Method::fast, *backend);
+    stepper->step(1e-3);
+    if (backend == seen.get()) {
+      EXPECT_EQ(backend->boundary().size(), 18u * 18 * 3);
+    }
+    backend->change_boundary(change);
+    EXPECT_TRUE(backend->neighbours_are_stale(0));
+    EXPECT_EQ(backend->boundary_count(), 18u * 18 * 3 / 2 + 18u * 3);
+    for (int k = 0; k < 20; ++k) stepper->step(2e-3);
+  }
+  const State expected = state_of(*cpu);
+  EXPECT_EQ(state_of(*seen), state_of(*unseen));
+  for (const auto& [id, x] : state_of(*unseen))
+    EXPECT_LT(norm(expected.at(id).first - x.first), 2e-4 * 0.1);
+  std::map<std::uint32_t, std::pair<Vec3d, double>> floor;
+  for (std::size_t k = 0; k < cpu->boundary().size(); ++k)
+    floor[cpu->boundary().id[k]] = {cpu->boundary().position[k], cpu->boundary().mass[k]};
+  const Particles& boundary = unseen->boundary();
+  ASSERT_EQ(boundary.size(), floor.size());
+  for (std::size_t k = 0; k < boundary.size(); ++k)
+    EXPECT_EQ(std::pair(boundary.position[k], boundary.mass[k]), floor.at(boundary.id[k]));
+}
+
+// The numbers are fetched once for a list, the places whenever they have changed.
+TEST_P(Device, TellsPlacesWithoutTheRest) {
+  const auto backend = make(collapsing());
+  fill(*backend);
+  for (std::size_t i = 0; i < backend->fluid().size(); ++i)
+    backend->fluid().mass[i] *= 1 + 1e-3 * static_cast<double>(backend->fluid().id[i]);
+  const auto stepper = test::stepper_of(Method::fast, *backend);
+  for (int k = 0; k < 60; ++k) {
+    stepper->step(2e-3);
+    const Places now = backend->places();
+    const std::vector<Vec3d> position(now.position.begin(), now.position.end());
+    const std::vector<std::uint32_t> id(now.id.begin(), now.id.end());
+    const std::vector<double> mass(now.mass.begin(), now.mass.end());
+    EXPECT_EQ(position, backend->positions());
+    EXPECT_EQ(position, backend->fluid().position);
+    EXPECT_EQ(id, backend->fluid().id);
+    EXPECT_EQ(mass, backend->fluid().mass);
+  }
+  EXPECT_GT(backend->pass_times()["sort"].calls, 3u);
 }
 
 // Spacing 1, h = 1.5, list radius 2.2 h = 3.3: in a row of particles along x each lists three to

@@ -5,6 +5,7 @@
 
 #include "support/backends.hpp"
 #include "support/clouds.hpp"
+#include "support/ground.hpp"
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
@@ -135,7 +136,7 @@ TEST(WallArea, AddsUpToThatOfASlopeOfTheDem) {
         add_particle(
             backend.fluid(), model,
             (i + 0.5) * dp * along + Vec3d{0, (j + 0.5) * dp, 0} + (k + 0.5) * dp * normal);
-  ground.follow(backend.fluid().position, 2.2 * model.h, backend.boundary());
+  test::follow(ground, backend.fluid().position, 2.2 * model.h, backend.boundary());
   prepare(backend);
   const auto is_inside = [&](const Vec3d& x) {
     return std::abs(dot(x, along)) < 5 * dp && std::abs(x.y) < 3 * dp;

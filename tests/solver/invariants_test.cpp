@@ -10,7 +10,7 @@
 #include "support/random_flow.hpp"
 #include <gtest/gtest.h>
 
-#include "backend/host_loops.hpp"
+#include "base/host_loops.hpp"
 
 // Laws that hold for every flow, over random small ones, on every backend.
 

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "rasters.hpp"
+#include "support/ground.hpp"
 #include "support/meshes.hpp"
 #include <gtest/gtest.h>
 
@@ -220,7 +221,7 @@ Particles all_of(Ground& ground) {
   for (double x = -5; x <= 5; x += 0.2)
     for (double y = -5; y <= 5; y += 0.2) fluid.push_back({x, y, 0.2});
   Particles boundary;
-  ground.follow(fluid, 0.5, boundary);
+  test::follow(ground, fluid, 0.5, boundary);
   return boundary;
 }
 
@@ -251,7 +252,7 @@ TEST(GroundWithBody, MakesItNearTheFlowOnly) {
   const Body wall = box_body({{-4.5, -0.2, 0}, {4.5, 0.2, 1}, {}, 0});
   Ground ground(surface, {}, {dp, 3, density}, {wall});
   Particles boundary;
-  ground.follow({{0, 0.5, 0.2}}, 0.4, boundary);
+  test::follow(ground, {{0, 0.5, 0.2}}, 0.4, boundary);
   std::size_t count = 0;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     if (boundary.body[k] == 0) continue;
@@ -259,7 +260,7 @@ TEST(GroundWithBody, MakesItNearTheFlowOnly) {
     EXPECT_LT(std::abs(boundary.position[k].x), 0.4 + 0.8);
   }
   EXPECT_GT(count, 100u);
-  ground.follow({{0, 4, 0.2}}, 0.4, boundary);
+  test::follow(ground, {{0, 4, 0.2}}, 0.4, boundary);
   for (std::size_t k = 0; k < boundary.size(); ++k) EXPECT_EQ(boundary.body[k], 0);
 }
 

@@ -3,6 +3,7 @@
 #include <numeric>
 
 #include "rasters.hpp"
+#include "support/ground.hpp"
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
@@ -105,7 +106,7 @@ TEST(GroundWithDam, MakesTheDamOnce) {
   std::vector<Vec3d> fluid;
   for (double y = -10; y <= 10; y += 0.5) fluid.push_back({-2, y, 0.5});
   Particles boundary;
-  ground.follow(fluid, 4, boundary);
+  test::follow(ground, fluid, 4, boundary);
   double above = 0;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     if (boundary.position[k].z > 0) above += boundary.mass[k];

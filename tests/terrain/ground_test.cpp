@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "rasters.hpp"
+#include "support/ground.hpp"
 #include <gtest/gtest.h>
 
 namespace sabo {
@@ -102,7 +103,7 @@ TEST(Ground, GoesOnStraightBeyondAnEdge) {
   const Surface surface = slope(30, 10);
   Ground ground(surface, {}, {0.5, 3, 1000});
   Particles boundary;
-  ground.follow({{9.9, 0, 6}}, 3, boundary);
+  test::follow(ground, {{9.9, 0, 6}}, 3, boundary);
   const Vec3d normal{-0.5, 0, std::sqrt(0.75)};
   double farthest = 0;
   for (const Vec3d& p : boundary.position) {
@@ -119,7 +120,8 @@ TEST(Ground, HasNoneFarOutside) {
   const Surface surface = slope(0, 10);
   Ground ground(surface, {}, {0.5, 3, 1000});
   Particles boundary;
-  EXPECT_FALSE(ground.follow({{1e300, 0, 0}, {std::nan(""), 0, 0}, {-500, 3, 0}}, 3, boundary));
+  EXPECT_FALSE(
+      test::follow(ground, {{1e300, 0, 0}, {std::nan(""), 0, 0}, {-500, 3, 0}}, 3, boundary));
   EXPECT_EQ(boundary.size(), 0U);
   EXPECT_EQ(ground.tile_count(), 0U);
 }
@@ -128,8 +130,8 @@ TEST(Ground, FollowsTheFlowAndKeepsFields) {
   const Surface surface = rough_hill();
   Ground ground(surface, {}, {0.5, 3, 1000});
   Particles boundary;
-  EXPECT_TRUE(ground.follow({{-5, 0, 5}, {-4, 1, 5}}, 2, boundary));
-  EXPECT_FALSE(ground.follow({{-5, 0, 5}, {-4, 1, 5}}, 2, boundary));
+  EXPECT_TRUE(test::follow(ground, {{-5, 0, 5}, {-4, 1, 5}}, 2, boundary));
+  EXPECT_FALSE(test::follow(ground, {{-5, 0, 5}, {-4, 1, 5}}, 2, boundary));
 
   std::map<std::uint32_t, double> marks;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
@@ -144,7 +146,7 @@ TEST(Ground, FollowsTheFlowAndKeepsFields) {
   }
   boundary.permute(order);
 
-  EXPECT_TRUE(ground.follow({{-1, 0, 5}}, 2, boundary));
+  EXPECT_TRUE(test::follow(ground, {{-1, 0, 5}}, 2, boundary));
   std::size_t kept = 0;
   std::set<std::uint32_t> ids;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
@@ -171,7 +173,7 @@ TEST(Ground, MakesAllTilesWithinReach) {
   Random random;
   std::vector<Vec3d> fluid;
   for (int k = 0; k < 300; ++k) fluid.push_back({20 * random() - 10, 20 * random() - 10, 0});
-  ground.follow(fluid, 1.5, boundary);
+  test::follow(ground, fluid, 1.5, boundary);
   Ground whole(surface, {}, settings);
   Particles all;
   whole.make_all(-12, -12, 12, 12, all);
@@ -192,9 +194,9 @@ TEST(Ground, DropsEverythingWithoutFluid) {
   const Surface surface = slope(20);
   Ground ground(surface, {}, {0.5, 3, 1000});
   Particles boundary;
-  ground.follow({{0, 0, 1}}, 2, boundary);
+  test::follow(ground, {{0, 0, 1}}, 2, boundary);
   EXPECT_GT(boundary.size(), 0U);
-  EXPECT_TRUE(ground.follow({}, 2, boundary));
+  EXPECT_TRUE(test::follow(ground, {}, 2, boundary));
   EXPECT_EQ(boundary.size(), 0U);
   EXPECT_EQ(ground.tile_count(), 0U);
 }

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "backend/host_loops.hpp"
+#include "base/host_loops.hpp"
 
 namespace sabo {
 

@@ -34,6 +34,8 @@ class DeviceBackend : public Backend {
   Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
   const std::vector<Vec3d>& positions() override;
+  Places places() override;
+  void change_boundary(const BoundaryChange& change) override;
   PassTimes& pass_times() override {
     pass_marks_.settle();
     return pass_times_;
@@ -99,8 +101,9 @@ class DeviceBackend : public Backend {
   struct Copy {
     Particles particles;
     bool is_current = true;
-    bool is_lent = false;  // the host may have changed it
-    void outdate() { is_current = is_lent = false; }
+    bool is_lent = false;     // the host may have changed it
+    bool has_places = false;  // positions_copy_, of the fluid, is current
+    void outdate() { is_current = is_lent = has_places = false; }
   };
 
   static std::size_t count(const DeviceParticles<Executor>& set, const Copy& copy) {
@@ -208,6 +211,8 @@ class DeviceBackend : public Backend {
   std::vector<Vec3d> row_forces_copy_;
 
   std::vector<Vec3d> positions_copy_;
+  std::vector<std::uint32_t> ids_copy_;  // empty until they are asked for in the present order
+  std::vector<double> masses_copy_;
   mutable std::vector<Vec3d> accelerations_copy_;
   mutable std::vector<double> density_rates_copy_;
 };

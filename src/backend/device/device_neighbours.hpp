@@ -40,8 +40,34 @@ Particles& DeviceBackend<Executor>::fetched(DeviceParticles<Executor>& from, Cop
 template <class Executor>
 const std::vector<Vec3d>& DeviceBackend<Executor>::positions() {
   if (fluid_copy_.is_current) return fluid_copy_.particles.position;
-  on_.download(fluid_.position, positions_copy_);
+  if (!fluid_copy_.has_places) on_.download(fluid_.position, positions_copy_);
+  fluid_copy_.has_places = true;
   return positions_copy_;
+}
+
+/// Numbers and masses stay what they are until the next list.
+template <class Executor>
+Places DeviceBackend<Executor>::places() {
+  if (fluid_copy_.is_current) return fluid_copy_.particles;
+  if (ids_copy_.empty()) {
+    on_.download(fluid_.id, ids_copy_);
+    on_.download(fluid_.mass, masses_copy_);
+  }
+  return {positions(), ids_copy_, masses_copy_};
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::change_boundary(const BoundaryChange& change) {
+  has_list_ = false;
+  if (boundary_copy_.is_lent) return change.apply_to(boundary_copy_.particles);
+  Array<IdRun> runs;
+  on_.upload(change.dropped, runs);
+  Array<std::uint32_t> kept;
+  const LiesInNone stays{boundary_.id.data(), {runs.data(), runs.size()}};
+  list_kept(on_, boundary_.size(), stays, kept);
+  boundary_.permute(on_, kept);
+  boundary_.append(on_, change.made);
+  boundary_copy_.outdate();
 }
 
 template <class Executor>
@@ -140,6 +166,7 @@ Particles DeviceBackend<Executor>::boundary_bodies() const {
 /// The order of the particles is another one now.
 template <class Executor>
 void DeviceBackend<Executor>::forget_results() {
+  ids_copy_.clear();
   for (auto* array : {&strain_, &stress_}) on_.release(*array);
   for (auto* array : {&wall_slope_, &background_}) on_.release(*array);
   on_.release(shift_);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "particles/boundary_change.hpp"
 #include "particles/particle_view.hpp"
 
 namespace sabo {
@@ -24,6 +25,20 @@ struct ScatterRows {
   const std::uint32_t* rows;
   T* to;
   SABO_HD void operator()(std::size_t k) const { to[rows[k]] = from[k]; }
+};
+
+template <class T>
+struct CopyRows {
+  const T* from;
+  T* to;
+  SABO_HD void operator()(std::size_t k) const { to[k] = from[k]; }
+};
+
+/// Whether the number of a particle is in no run of them.
+struct LiesInNone {
+  const std::uint32_t* id;
+  IdRuns runs;
+  SABO_HD bool operator()(std::size_t k) const { return !runs.hold(id[k]); }
 };
 
 /// Memory that arrays take, bytes.
@@ -66,7 +81,7 @@ class DeviceParticles {
   }
 
   /// Row k becomes what row order[k] was; one field at a time, for the memory that it takes.
-  void permute(const Executor& on, const Array<std::uint32_t>& order){
+  void permute(const Executor& on, const Array<std::uint32_t>& order) {
 #define SABO_PERMUTE(type, name, unit, meaning, is_shown)                                    \
   {                                                                                          \
     Array<type> gathered;                                                                    \
@@ -74,8 +89,15 @@ class DeviceParticles {
     on.for_each(order.size(), GatherRows<type>{name.data(), order.data(), gathered.data()}); \
     std::swap(name, gathered);                                                               \
   }
-      SABO_PARTICLE_FIELDS(SABO_PERMUTE)
+    SABO_PARTICLE_FIELDS(SABO_PERMUTE)
 #undef SABO_PERMUTE
+  }
+
+  /// One field at a time, as permute().
+  void append(const Executor& on, const Particles& added) {
+#define SABO_APPEND(type, name, unit, meaning, is_shown) name = joined(on, name, added.name);
+    SABO_PARTICLE_FIELDS(SABO_APPEND)
+#undef SABO_APPEND
   }
 
   ParticleView view() {
@@ -84,6 +106,17 @@ class DeviceParticles {
     SABO_PARTICLE_FIELDS(SABO_POINT)
 #undef SABO_POINT
     return view;
+  }
+
+ private:
+  template <class T>
+  static Array<T> joined(const Executor& on, const Array<T>& first, const std::vector<T>& second) {
+    Array<T> tail, all;
+    on.upload(second, tail);
+    on.reserve(all, first.size() + tail.size());
+    on.for_each(first.size(), CopyRows<T>{first.data(), all.data()});
+    on.for_each(tail.size(), CopyRows<T>{tail.data(), all.data() + first.size()});
+    return all;
   }
 };
 

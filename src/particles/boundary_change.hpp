@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "base/host_device.hpp"
+#include "particles/particles.hpp"
+
+namespace sabo {
+
+/// Consecutive particle numbers.
+struct IdRun {
+  std::uint32_t first = 0;
+  std::uint32_t count = 0;
+};
+
+/// Some runs, sorted and apart from each other; looks at an array of another.
+struct IdRuns {
+  const IdRun* runs;
+  std::size_t count;
+
+  SABO_HD bool hold(std::uint32_t id) const {
+    std::size_t low = 0, high = count;  // of the first run beyond the number
+    while (low < high) {
+      const std::size_t middle = (low + high) / 2;
+      if (runs[middle].first > id)
+        high = middle;
+      else
+        low = middle + 1;
+    }
+    return low > 0 && id - runs[low - 1].first < runs[low - 1].count;
+  }
+};
+
+/// How the boundary particles follow the flow: some go, some come, all others keep all that they
+/// have.
+struct BoundaryChange {
+  std::vector<IdRun> dropped;  ///< sorted and apart from each other
+  Particles made;
+
+  bool is_empty() const { return dropped.empty() && made.size() == 0; }
+  /// Those that stay keep their order, new ones come last.
+  void apply_to(Particles& boundary) const;
+};
+
+}  // namespace sabo
