@@ -1,19 +1,22 @@
 #include "verify/drawn_gate.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
 namespace sabo {
 
-DrawnGate::DrawnGate(Backend& backend, const Box& closed, std::uint16_t body, double speed)
-    : backend_(backend), floor_(closed.low.z), body_(body), speed_(speed), lowest_(floor_) {
+DrawnGate::DrawnGate(Backend& backend, const Box& closed, std::uint16_t body, double acceleration)
+    : backend_(backend),
+      floor_(closed.low.z),
+      body_(body),
+      acceleration_(acceleration),
+      lowest_(floor_) {
   add_box(backend.boundary(), backend.model(), closed, body);
 }
 
 void DrawnGate::rise_to(double time) {
-  const double edge = floor_ + speed_ * time;
+  const double edge = floor_ + acceleration_ * time * time / 2;
   if (edge < lowest_) return;
   lowest_ = std::numeric_limits<double>::infinity();
   Particles& walls = backend_.boundary();
@@ -30,7 +33,5 @@ void DrawnGate::rise_to(double time) {
   walls.permute(kept);
   backend_.find_neighbours();
 }
-
-double slowest_sudden_gate(double depth, double gravity) { return std::sqrt(gravity * depth / 2); }
 
 }  // namespace sabo

@@ -7,12 +7,16 @@
 
 namespace sabo {
 
-/// A gate before water that is drawn up from the floor at a constant speed: a wall of which row
-/// after row is gone. Experiments that let water break out rarely say how their gate moved.
+/// A gate before water that a weight draws up from the floor: a wall of which row after row is
+/// gone. Experiments that let water break out rarely say how their gate moved; one with the
+/// acceleration of gravity, which no weight exceeds, is out of water of the depth H after
+/// sqrt(2 H / g), the limit up to which Lauber & Hager (J. Hydraul. Res. 36 (1998) 291) call a
+/// break sudden.
 class DrawnGate {
  public:
-  /// Puts the gate into the boundary as a body of its own, before any step; the speed in m/s.
-  DrawnGate(Backend& backend, const Box& closed, std::uint16_t body, double speed);
+  /// Puts the gate into the boundary as a body of its own, before any step; the acceleration in
+  /// m/s2.
+  DrawnGate(Backend& backend, const Box& closed, std::uint16_t body, double acceleration);
 
   /// Between two steps: takes away what is above water at a time (s), 0 when it begins to rise.
   void rise_to(double time);
@@ -21,12 +25,8 @@ class DrawnGate {
   Backend& backend_;
   double floor_;
   std::uint16_t body_;
-  double speed_;
+  double acceleration_;
   double lowest_;  // what is left of it begins there or above, m
 };
-
-/// The slowest speed at which a gate counts as drawn at once: out of water of a depth (m) within
-/// sqrt(2 H / g) (Lauber & Hager, J. Hydraul. Res. 36 (1998) 291), m/s.
-double slowest_sudden_gate(double depth, double gravity);
 
 }  // namespace sabo
