@@ -214,28 +214,22 @@ Verdict verify_spheric2(const VerifySettings& settings) {
   verdict.remarks = {
       fmt::format("Artificial viscosity {:g}; pressures are means over the kernel about the probes",
                   water_artificial_viscosity),
-      "Gate: next to it (H1) the measured stream is 0.07 m deep at 0.3 s and 0.10 m at 0.4 and 0.5 "
-      "s. "
-      "Water let go at once is 0.09 and 0.11 to 0.13 m deep there, by Ritter 0.15 m, although the "
-      "reservoir (H4) sinks as measured: the gate was still in its way. How it moved is not known. "
-      "One that a falling weight draws as fast as it can, at g, is out of the water in √(2H/g), "
-      "which "
-      "Lauber & Hager (1998) still call sudden; its times are shifted so that P1 rises when it was "
-      "measured. In the plane of the middle it brings H1 at 0.3 s to 0.07 m and P1's first peak "
-      "from "
-      "18.8 to 11.9 kPa",
-      "P1 too high later as well: it is not the spacing, for in the plane of the middle P1 is 5.6 "
-      "and "
-      "5.4 kPa at 0.6 s with 0.0183 and 0.0092 m, nor how a blow is computed: see the pressures of "
-      "the jet. There the drag of a floor takes it away: 0.1 Pa s, about twice the drag that a "
-      "smooth floor has on a turbulent stream, takes P1's impulse from 3.5 to 2.8 kPa s, 0.03 Pa "
-      "s, "
-      "about that drag, a third as much",
-      "P3 too low: neither gate nor floor raises it. From 0.7 to 1.2 s the measured P3 is as high "
-      "as "
-      "P1 and higher than P2 between them, where the weight of the water alone makes 0.4 kPa from "
-      "one to the next; at rest, after 4 s, they differ by that weight, less 0.1 kPa. A roller at "
-      "the foot of the box or air in the water would do so; neither is resolved"};
+      "Gate: next to it (H1) the measured stream is 0.07 m deep at 0.3 s and 0.10 m at 0.4 and "
+      "0.5 s. Water let go at once is 0.09 and 0.11 to 0.13 m deep there, by Ritter 0.15 m, "
+      "although the reservoir (H4) sinks as measured: the gate was still in its way. How it moved"
+      " is not known. One that a falling weight draws as fast as it can, at g, is out of the "
+      "water in √(2H/g), which Lauber & Hager (1998) still call sudden; its times are shifted so "
+      "that P1 rises when it was measured. In the plane of the middle it brings H1 at 0.3 s to "
+      "0.07 m and P1's first peak from 18.8 to 11.9 kPa",
+      "P1 too high later as well: it is not the spacing, for in the plane of the middle P1 is 5.6"
+      " and 5.4 kPa at 0.6 s with 0.0183 and 0.0092 m, nor how a blow is computed: see the "
+      "pressures of the jet. There the drag of a floor takes it away: 0.1 Pa s, about twice the "
+      "drag that a smooth floor has on a turbulent stream, takes P1's impulse from 3.5 to 2.8 kPa"
+      " s, 0.03 Pa s, about that drag, a third as much",
+      "P3 too low: neither gate nor floor raises it. From 0.7 to 1.2 s the measured P3 is as high"
+      " as P1 and higher than P2 between them, where the weight of the water alone makes 0.4 kPa "
+      "from one to the next; at rest, after 4 s, they differ by that weight, less 0.1 kPa. A "
+      "roller at the foot of the box or air in the water would do so; neither is resolved"};
   return verdict;
 }
 
