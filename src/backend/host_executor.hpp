@@ -52,11 +52,13 @@ class HostExecutor {
   void sweep(std::size_t count, const Sweep& sweep) const {
     for_each(count, [&](std::size_t i) { sweep.finish(i, sums_of_row(sweep, i)); });
   }
-  /// The same, and the sum of what finish(i, sums, sum) adds.
+  /// The same; the sum of what finish(i, sums, sum) adds becomes the one value of `total`, where it
+  /// can be read without a wait.
   template <class Sum, class Sweep>
-  Sum sweep_and_sum(std::size_t count, const Sweep& sweep) const {
-    return reduce<Sum>(
-        count, [&](std::size_t i, Sum& sum) { sweep.finish(i, sums_of_row(sweep, i), sum); });
+  void sweep_and_sum(std::size_t count, const Sweep& sweep, Array<Sum>& total) const {
+    total.assign(1, reduce<Sum>(count, [&](std::size_t i, Sum& sum) {
+                   sweep.finish(i, sums_of_row(sweep, i), sum);
+                 }));
   }
 
   template <class T>

@@ -115,8 +115,8 @@ class VelocityStep {
     solver.reset(on, particles);
   }
 
-  /// `multiply(mass, drag)` sets solver.product to (mass + dt K + dt drag) solver.direction and
-  /// returns their scalar product; masses in kg, drags of the walls in kg/s. `tolerance` in m/s.
+  /// `multiply(mass, drag)` sets solver.product to (mass + dt K + dt drag) solver.direction, and
+  /// solver.curvature; masses in kg, drags of the walls in kg/s. `tolerance` in m/s.
   /// Driven particles keep their velocity; particles in neither list are at rest.
   template <class Multiply>
   ViscousSolve advance(const Executor& on, const FlowView& flow, RowList rows, RowList driven,
@@ -134,7 +134,7 @@ class VelocityStep {
     on.for_each(driven.count, AtRow<WithdrawVelocity<T>>{driven.index, {view}});
     on.for_each(rows.count, FindResidual<T>{view});
     ViscousSolve outcome = solver.solve(on, rows, mass_.data(), tolerance, most_iterations,
-                                        [&] { return multiply(mass_.data(), drag_.data()); });
+                                        [&] { multiply(mass_.data(), drag_.data()); });
     if (!outcome.converged) return outcome;
     // What the solve has left undone, as one change of velocity for all: the coarse correction by
     // the constant vector (Nicolaides 1987), after which the residuals add up to zero. Viscosity

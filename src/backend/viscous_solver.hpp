@@ -73,12 +73,28 @@ struct StartSolve {
   }
 };
 
-/// By a length along the direction.
+/// Component by component.
+template <class T>
+SABO_HD Vec3<T> ratios(const Dot& a, const Dot& b) {
+  return {T(b.x > 0 ? a.x / b.x : 0), T(b.y > 0 ? a.y / b.y : 0), T(b.z > 0 ? a.z / b.z : 0)};
+}
+
+/// How far to go along the direction.
+template <class T>
+struct FindLength {
+  Dot energy;
+  const Dot* curvature;
+  Vec3<T>* length;
+  SABO_HD void operator()(std::size_t) const { *length = ratios<T>(energy, *curvature); }
+};
+
+/// As far as that.
 template <class T>
 struct AdvanceSolve {
   SolverView<T> on;
-  Vec3<T> length;
+  const Vec3<T>* how_far;
   SABO_HD void operator()(std::size_t k, ResidualSums& sums) const {
+    const Vec3<T> length = *how_far;
     const std::size_t i = on.rows[k];
     const Quad<T>& p = on.direction[i];
     const Quad<T>& q = on.product[i];
@@ -118,12 +134,15 @@ class ViscousSolver {
   Vector residual;   ///< of a change of zero, in; kg m/s
   Vector direction;  ///< handed to the product
   Vector product;
-  typename Executor::template Array<T> diagonal;  ///< kg, in
-  Dot residual_sum;                               ///< over the rows, of the solution, out; kg m/s
+  typename Executor::template Array<Dot> curvature;  ///< one: direction . product
+  typename Executor::template Array<T> diagonal;     ///< kg, in
+  Dot residual_sum;  ///< over the rows, of the solution, out; kg m/s
 
   void reset(const Executor& on, std::size_t particles) {
     for (Vector* v : {&change, &residual, &direction, &product}) on.zero(*v, particles);
     on.zero(diagonal, particles);
+    on.zero(curvature, 1);
+    on.zero(length_, 1);
   }
 
   std::size_t bytes() const {
@@ -137,7 +156,7 @@ class ViscousSolver {
 
   /// Iterates until no component of the residual over the mass (kg) exceeds `tolerance` (m/s, root
   /// mean square over `rows`), or what is left of the first one is rounding. `multiply` sets
-  /// `product` to the matrix times `direction` and returns their scalar product.
+  /// `product` to the matrix times `direction`, and `curvature`. The residual alone is waited for.
   template <class Multiply>
   ViscousSolve solve(const Executor& on, RowList rows, const T* mass, double tolerance, int most,
                      const Multiply& multiply) {
@@ -152,11 +171,11 @@ class ViscousSolver {
         outcome.converged = false;
         return outcome;
       }
-      const Dot curvature = multiply();
-      const Vec3<T> length = ratios(sums.energy, curvature);
+      multiply();
+      on.for_each(1, FindLength<T>{sums.energy, curvature.data(), length_.data()});
       const auto next =
-          on.template reduce<ResidualSums>(rows.count, AdvanceSolve<T>{vectors, length});
-      on.for_each(rows.count, TurnSolve<T>{vectors, ratios(next.energy, sums.energy)});
+          on.template reduce<ResidualSums>(rows.count, AdvanceSolve<T>{vectors, length_.data()});
+      on.for_each(rows.count, TurnSolve<T>{vectors, ratios<T>(next.energy, sums.energy)});
       sums = next;
       residual_sum = sums.residual;
       ++outcome.iterations;
@@ -168,9 +187,7 @@ class ViscousSolver {
   /// Of the first residual: what the precision of the products leaves.
   static constexpr double least_share = 100 * std::numeric_limits<T>::epsilon();
 
-  static Vec3<T> ratios(const Dot& a, const Dot& b) {
-    return {T(b.x > 0 ? a.x / b.x : 0), T(b.y > 0 ? a.y / b.y : 0), T(b.z > 0 ? a.z / b.z : 0)};
-  }
+  typename Executor::template Array<Vec3<T>> length_;  // one
 };
 
 }  // namespace sabo

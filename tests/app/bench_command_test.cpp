@@ -55,5 +55,11 @@ TEST(BenchCommand, NamesThePartsThatThereAre) {
   EXPECT_EQ(run_shell("sabo bench --threads 0").code, 2);
 }
 
+TEST(BenchCommand, DoesNotPassOverALimitThatItCannotKeep) {
+  const Outcome outcome = run_shell("sabo bench --quick --largest 100000");
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_THAT(outcome.text, HasSubstr("--largest: is for flows on a card"));
+}
+
 }  // namespace
 }  // namespace sabo

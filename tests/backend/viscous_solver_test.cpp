@@ -34,7 +34,7 @@ struct Problem {
         const Quad<double>& p = solver.direction[i];
         sum.join({p.x * q.x, p.y * q.y, p.z * q.z});
       }
-      return sum;
+      solver.curvature[0] = sum;
     });
   }
 };

@@ -106,7 +106,7 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
     });
     Dot sum;
     for (const auto& dot : dots_) sum.join({dot[0], dot[1], dot[2]});
-    return sum;
+    solver.curvature[0] = sum;
   };
   return velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
                                 {driven_.data(), driven_.size()}, dt, tolerance, most_iterations,

@@ -150,18 +150,12 @@ class CudaExecutor {
 
   template <class Sum, class F>
   Sum reduce(std::size_t count, const F& f) const {
-    static_assert(std::is_trivially_copyable_v<F> && sizeof(F) < 4000);
     Sum total;
     if (count == 0) return total;
-    static_assert(std::is_trivially_copyable_v<Sum> && sizeof(Sum) <= SumSpace::largest);
-    const SumSpace& space = sum_space();
-    const auto sums = std::min<std::size_t>(blocks(count), most_partial_sums);
-    sum_all<Sum><<<static_cast<unsigned>(sums), block_size>>>(
-        count, f, static_cast<Sum*>(space.partial), space.blocks_done,
-        static_cast<Sum*>(space.total));
-    check_cuda(cudaGetLastError(), "kernel launch");
+    void* seen = sum_space().total;
+    start_sum(count, f, static_cast<Sum*>(seen));
     wait("pass");
-    std::memcpy(static_cast<void*>(&total), space.total, sizeof(Sum));
+    std::memcpy(static_cast<void*>(&total), seen, sizeof(Sum));
     return total;
   }
 
@@ -175,14 +169,14 @@ class CudaExecutor {
     check_cuda(cudaGetLastError(), "kernel launch");
   }
   template <class Sum, class Sweep>
-  Sum sweep_and_sum(std::size_t count, const Sweep& sweep) const {
-    Sum sum;
+  void sweep_and_sum(std::size_t count, const Sweep& sweep, DeviceArray<Sum>& total) const {
+    if (count == 0) return upload(std::vector<Sum>(1), total);
+    total.resize(1);
     with_lanes(count, [&]<unsigned lanes>() {
       // Whole warps.
       const std::size_t threads = (count * lanes + 31) / 32 * 32;
-      sum = reduce<Sum>(threads, SumOverRows<lanes, Sweep>{count, sweep});
+      start_sum(threads, SumOverRows<lanes, Sweep>{count, sweep}, total.data());
     });
-    return sum;
   }
 
   template <class T>
@@ -232,6 +226,17 @@ class CudaExecutor {
   }
 
  private:
+  /// Into memory that the card can write to.
+  template <class Sum, class F>
+  static void start_sum(std::size_t count, const F& f, Sum* total) {
+    static_assert(std::is_trivially_copyable_v<F> && sizeof(F) < 4000);
+    static_assert(std::is_trivially_copyable_v<Sum> && sizeof(Sum) <= SumSpace::largest);
+    const SumSpace& space = sum_space();
+    const auto sums = std::min<std::size_t>(blocks(count), most_partial_sums);
+    sum_all<Sum><<<static_cast<unsigned>(sums), block_size>>>(
+        count, f, static_cast<Sum*>(space.partial), space.blocks_done, total);
+    check_cuda(cudaGetLastError(), "kernel launch");
+  }
   /// Until all that was started is done.
   static void wait(const char* work) { check_cuda(cudaStreamSynchronize(nullptr), work); }
   static unsigned blocks(std::size_t count) {

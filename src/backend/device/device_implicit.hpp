@@ -76,7 +76,7 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double toleran
     const ViscousProduct product{
         pair_sums(), flow_records_.data(), awake_.data(), solver.direction.data(), mass, drag,
         float(dt),   solver.product.data()};
-    return on_.template sweep_and_sum<Dot>(awake_.size(), product);
+    on_.sweep_and_sum(awake_.size(), product, solver.curvature);
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), awake(), driven(), dt, tolerance,
                                                       most_iterations, multiply);

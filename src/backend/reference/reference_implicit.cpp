@@ -77,7 +77,7 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
       solver.product[i] = {q.x, q.y, q.z};
       sum.join({p.x * q.x, p.y * q.y, p.z * q.z});
     }
-    return sum;
+    solver.curvature[0] = sum;
   };
   return velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
                                 {driven_.data(), driven_.size()}, dt, tolerance, most_iterations,

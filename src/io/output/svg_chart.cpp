@@ -236,9 +236,9 @@ std::string draw_legend(const LineChart& chart, const std::vector<LegendPlace>& 
           x, y, x + legend_key, y, style.colour, dash_attribute(style));
     }
     if (series.has_markers) {
-      svg +=
-          fmt::format("<circle cx=\"{:.1f}\" cy=\"{}\" r=\"3.5\" fill=\"{}\"/>\n",
-                      series.has_line ? x + legend_key / 2 : x + legend_key - 4, y, style.colour);
+      // On the first dash of a line: in its middle it would hide the gap.
+      svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{}\" r=\"3.5\" fill=\"{}\"/>\n",
+                         series.has_line ? x + 4 : x + legend_key - 4, y, style.colour);
     }
     svg += svg_text(x + legend_key + legend_gap, baseline, series.name,
                     {.size = name_size, .colour = svg_ink});
