@@ -36,5 +36,7 @@ inline const std::vector<double> measured_h4{0.547, 0.534, 0.511, 0.487, 0.459, 
 inline constexpr double p1_quarter = 2810, p1_arrival = 0.395;  // Pa, s
 inline constexpr double p1_peak = 9862, p3_peak = 6320;         // Pa, greatest means over 20 ms
 inline constexpr double p1_impulse = 2859, p3_impulse = 2357;   // Pa s, over 0.4-1.0 s
+// Over 0.5-1.0 s, Pa: P4, and the mean of P1 to P4.
+inline constexpr double p4_mean = 3324, face_mean = 3781;
 
 }  // namespace sabo::spheric2_measured
