@@ -156,6 +156,9 @@ struct Charts {
     const double shift = run.has_gate ? arrival(r) - p1_arrival : 0;
     const auto draw = [&](LineChart& chart, const TimeIntegral& reading, double step, double end) {
       ChartSeries series = reading.series(name, step, end);
+      const auto early = std::ranges::lower_bound(series.x, shift) - series.x.begin();
+      series.x.erase(series.x.begin(), series.x.begin() + early);
+      series.y.erase(series.y.begin(), series.y.begin() + early);
       for (double& time : series.x) time -= shift;
       chart.series.push_back(std::move(series));
     };
