@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <memory>
+#include <optional>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -20,7 +21,7 @@ struct BenchOptions {
   std::vector<std::string> only;
   std::string method;
   std::string backend = "cpu";
-  bool has_largest = false;
+  std::optional<double> largest;
 };
 
 std::vector<std::string_view> part_names(BackendKind backend) {
@@ -68,9 +69,10 @@ BackendKind chosen_backend(const std::string& name) {
 int bench(const BenchOptions& options) {
   BenchSettings settings = options.settings;
   settings.backend = chosen_backend(options.backend);
-  if (options.has_largest && settings.backend != BackendKind::cuda)
+  if (options.largest && settings.backend != BackendKind::cuda)
     throw CaseError("--largest", "is for flows on a card, which --backend cpu does not measure",
                     "leave it out or measure --backend cuda");
+  settings.largest = options.largest.value_or(settings.largest);
   const std::vector<BenchPart> parts = chosen_parts(options.only, settings.backend);
   settings.methods = chosen_methods(options.method);
   const BenchMachine machine = bench_machine(settings);
@@ -115,14 +117,11 @@ void add_bench_command(CLI::App& program, Action& action) {
       ->type_name(fmt::format("{}", fmt::join(Words<Method>::list, "|")));
   command->add_option("--backend", options->backend, "what to measure; default: cpu")
       ->type_name("cpu|cuda");
-  const CLI::Option* largest =
-      command
-          ->add_option(
-              "--largest", options->settings.largest,
-              "with --backend cuda: most particles of the fluid; default: all that fit, up "
-              "to 1e8")
-          ->type_name("N")
-          ->check(CLI::Range(2e4, 1e8).description(""));
+  command
+      ->add_option("--largest", options->largest,
+                   "most particles of the fluid on a card; default: all that fit, up to 1e8")
+      ->type_name("N")
+      ->check(CLI::Range(2e4, 1e8).description(""));
   command->add_option("--json", options->json, "write the results there, for compare_bench.py")
       ->type_name("FILE");
   command->add_option("--only", options->only, "parts to measure; default: all")
@@ -131,10 +130,7 @@ void add_bench_command(CLI::App& program, Action& action) {
   command->footer(part_list() +
                   "\n\nExamples:\n  sabo bench --json before.json\n"
                   "  sabo bench --only passes,steps --threads 1");
-  command->callback([&action, options, largest] {
-    options->has_largest = largest->count() > 0;
-    action = {"", [options] { return bench(*options); }};
-  });
+  command->callback([&action, options] { action = {"", [options] { return bench(*options); }}; });
 }
 
 }  // namespace sabo

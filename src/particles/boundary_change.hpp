@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "base/bisect.hpp"
 #include "base/host_device.hpp"
 #include "particles/particles.hpp"
 
@@ -21,15 +22,9 @@ struct IdRuns {
   std::size_t count;
 
   SABO_HD bool hold(std::uint32_t id) const {
-    std::size_t low = 0, high = count;  // of the first run beyond the number
-    while (low < high) {
-      const std::size_t middle = (low + high) / 2;
-      if (runs[middle].first > id)
-        high = middle;
-      else
-        low = middle + 1;
-    }
-    return low > 0 && id - runs[low - 1].first < runs[low - 1].count;
+    const std::size_t beyond =
+        bisect(std::size_t{0}, count, [&](std::size_t k) { return runs[k].first <= id; });
+    return beyond > 0 && id - runs[beyond - 1].first < runs[beyond - 1].count;
   }
 };
 

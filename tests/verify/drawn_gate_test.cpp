@@ -37,5 +37,18 @@ TEST(DrawnGate, LosesItsRowsFromTheFloorUp) {
   EXPECT_EQ(backend->boundary().size(), others);
 }
 
+// sqrt(2 H / g) of 0.55 m is 0.335 s.
+TEST(DrawnGate, ByAWeightLeavesTheWaterWithinTheTimeOfLauberAndHager) {
+  FlowModel model = test::plain_model(0.05, 30, 1e-3);
+  model.dimension = 2;
+  const auto backend = make_backend(BackendKind::cpu, model);
+  add_block(backend->fluid(), model, {0, 20, 0, 1, 0, 11});
+  DrawnGate gate(*backend, {{1, 0, 0}, {1 + 0.05 * model.wall_layers(), 0, 0.55}}, 2, 9.81);
+  gate.rise_to(0.3);
+  EXPECT_GT(rows_of(*backend, 2), 0);
+  gate.rise_to(0.335);
+  EXPECT_EQ(rows_of(*backend, 2), 0);
+}
+
 }  // namespace
 }  // namespace sabo

@@ -7,6 +7,7 @@
 
 #include "backend/device/pair_rows.hpp"
 #include "backend/record_packer.hpp"
+#include "base/bisect.hpp"
 #include "math/scalar.hpp"
 
 // Square columns in plan over a set of particles, as those of backend/cpu/column_grid.hpp: a valley
@@ -77,15 +78,8 @@ struct FindColumn {
   std::uint32_t* first;
   SABO_HD void operator()(std::size_t column) const {
     const std::uint64_t wanted = static_cast<std::uint64_t>(column) << 32;
-    std::size_t low = 0, high = count;
-    while (low < high) {
-      const std::size_t middle = (low + high) / 2;
-      if (keys[middle] < wanted)
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    first[column] = static_cast<std::uint32_t>(low);
+    first[column] = static_cast<std::uint32_t>(
+        bisect(std::size_t{0}, count, [&](std::size_t k) { return keys[k] < wanted; }));
   }
 };
 
@@ -135,14 +129,7 @@ struct ColumnSet {
  private:
   /// First of [low, high) that is not below a height.
   SABO_HD std::uint32_t above(std::uint32_t low, std::uint32_t high, std::int32_t height) const {
-    while (low < high) {
-      const std::uint32_t middle = low + (high - low) / 2;
-      if (places[middle].z < height)
-        low = middle + 1;
-      else
-        high = middle;
-    }
-    return low;
+    return bisect(low, high, [&](std::uint32_t k) { return places[k].z < height; });
   }
 };
 

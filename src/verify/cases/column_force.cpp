@@ -166,7 +166,7 @@ Verdict verify_column_force(const VerifySettings& settings) {
       "drawn, which is not known; other times count from the arrival",
       "Gate drawn up: as fast as a falling weight can, at g; it is out of the water in √(2H/g), "
       "which Lauber & Hager (1998) still call sudden. The measured arrival lies between that and a "
-      "gate that is gone at once; the first blow is the same with either",
+      "gate that is gone at once; the first blow is nearly the same with either",
       "First blow: it falls with the spacing, by the method fast 56.6, 53.4 and 45.3 N with 0.02, "
       "0.0142 and 0.01 m, and is not yet at its limit; mean force and impulse rise, 15.1, 16.1 "
       "and 17.3 N, 11.0, 11.9 and 12.2 N s"};
