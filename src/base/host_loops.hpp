@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <exception>
 #include <vector>
 
 #include <omp.h>
@@ -22,6 +23,23 @@ void over(std::size_t count, int threads, const F& f) {
   const auto last = static_cast<std::ptrdiff_t>(count);
 #pragma omp parallel for num_threads(threads) if (last > worth_threads) schedule(static)
   for (std::ptrdiff_t i = 0; i < last; ++i) f(static_cast<std::size_t>(i));
+}
+
+/// The same for few things, each of which takes long and may throw: of what is thrown, one comes
+/// out.
+template <class F>
+void over_few(std::size_t count, int threads, const F& f) {
+  std::exception_ptr thrown;
+#pragma omp parallel for num_threads(threads) if (count > 1) schedule(dynamic, 1)
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
+    try {
+      f(static_cast<std::size_t>(i));
+    } catch (...) {
+#pragma omp critical(sabo_over_few)
+      thrown = std::current_exception();
+    }
+  }
+  if (thrown) std::rethrow_exception(thrown);
 }
 
 /// f(i) for the particles named in `rows`.

@@ -1,8 +1,12 @@
 #include "run/frames.hpp"
 
+#include <cstdint>
 #include <list>
+#include <memory>
+#include <span>
 #include <system_error>
 #include <type_traits>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -16,6 +20,14 @@ std::string title(const char* name, const char* unit) {
   return *unit ? std::string(name) + " [" + unit + "]" : std::string(name);
 }
 
+/// A frame and what it looks at.
+struct OwnedFrame {
+  VtpFrame frame;
+  std::vector<Vec3f> points;
+  std::list<std::vector<float>> floats;
+  std::list<std::vector<std::uint32_t>> numbers;
+};
+
 std::vector<float> flattened(const std::vector<Vec3d>& values) {
   std::vector<float> flat;
   flat.reserve(3 * values.size());
@@ -23,12 +35,46 @@ std::vector<float> flattened(const std::vector<Vec3d>& values) {
   return flat;
 }
 
+std::shared_ptr<const OwnedFrame> owned_frame(double time, const Vec3d& origin,
+                                              const Particles& fluid) {
+  const auto owned = std::make_shared<OwnedFrame>();
+  VtpFrame& frame = owned->frame;
+  frame.time = time;
+  frame.origin = origin;
+  owned->points.reserve(fluid.size());
+  for (const Vec3d& x : fluid.position)
+    owned->points.push_back({float(x.x), float(x.y), float(x.z)});
+  frame.points = owned->points;
+
+  const auto add = [&](std::string name, int components, std::vector<float> values) {
+    owned->floats.push_back(std::move(values));
+    const std::span<const float> kept(owned->floats.back());
+    frame.arrays.push_back({std::move(name), components, kept});
+  };
+  fluid.for_each_shown_field(
+      [&](const char* field, const char* unit, const char*, const auto& values) {
+        using Value = typename std::decay_t<decltype(values)>::value_type;
+        if constexpr (std::is_same_v<Value, std::uint32_t>) {
+          owned->numbers.push_back(values);
+          const std::span<const std::uint32_t> kept(owned->numbers.back());
+          frame.arrays.push_back({title(field, unit), 1, kept});
+        } else if constexpr (std::is_same_v<Value, double>) {
+          add(title(field, unit), 1, {values.begin(), values.end()});
+        } else if (&values != &fluid.position) {
+          add(title(field, unit), 3, flattened(values));
+        }
+      });
+  return owned;
+}
+
 }  // namespace
 
-Frames::Frames(const Scene& scene, const RunFolder& folder)
+Frames::Frames(const Scene& scene, const RunFolder& folder, int threads, bool are_beside_steps)
     : folder_(folder.frames()),
       origin_{scene.frame.origin_x, scene.frame.origin_y, 0},
-      list_(folder.frames() / "flow.pvd") {
+      list_(folder.frames() / "flow.pvd"),
+      threads_(threads),
+      are_beside_steps_(are_beside_steps) {
   write_surface_vtp(folder_ / "ground.vtp", scene.surface->elevation(), origin_);
   if (!scene.dams.empty() || !scene.bodies.empty()) write_bodies(scene);
 }
@@ -59,28 +105,15 @@ void Frames::take_back() const {
 }
 
 void Frames::write(double time, const Particles& fluid) {
-  VtpFrame frame{time, origin_};
-  std::vector<Vec3f> points;
-  points.reserve(fluid.size());
-  for (const Vec3d& x : fluid.position) points.push_back({float(x.x), float(x.y), float(x.z)});
-  frame.points = points;
-
-  std::list<std::vector<float>> kept;  // the frame holds views of these
-  fluid.for_each_shown_field(
-      [&](const char* field, const char* unit, const char*, const auto& values) {
-        using Value = typename std::decay_t<decltype(values)>::value_type;
-        if constexpr (std::is_same_v<Value, std::uint32_t>) {
-          frame.arrays.push_back({title(field, unit), 1, std::span(values)});
-        } else if constexpr (std::is_same_v<Value, double>) {
-          kept.emplace_back(values.begin(), values.end());
-          frame.arrays.push_back({title(field, unit), 1, std::span<const float>(kept.back())});
-        } else if (&values != &fluid.position) {
-          kept.push_back(flattened(values));
-          frame.arrays.push_back({title(field, unit), 3, std::span<const float>(kept.back())});
-        }
-      });
-  write_particles_vtp(file(count_), frame);
-  list_.add(time, file(count_).filename().string());
+  const auto owned = owned_frame(time, origin_, fluid);
+  const auto write = [this, owned, number = count_] {
+    write_particles_vtp(file(number), owned->frame, threads_);
+    list_.add(owned->frame.time, file(number).filename().string());
+  };
+  if (are_beside_steps_)
+    writing_.start(write);
+  else
+    write();
   ++count_;
 }
 

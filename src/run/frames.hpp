@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/background.hpp"
 #include "io/output/vtp.hpp"
 #include "particles/particles.hpp"
 #include "run/run_folder.hpp"
@@ -15,15 +16,21 @@ namespace sabo {
 /// the bodies.
 class Frames {
  public:
-  /// Writes ground.vtp and, if there are bodies, bodies.vtp.
-  Frames(const Scene& scene, const RunFolder& folder);
+  /// Writes ground.vtp and, if there are bodies, bodies.vtp. Frames are written by `threads`
+  /// (host_threads()); beside the steps if the host has little to do for these.
+  Frames(const Scene& scene, const RunFolder& folder, int threads, bool are_beside_steps);
 
+  /// Throws RunError, for an earlier frame that was written beside the steps too.
   void write(double time, const Particles& fluid);
+
+  /// Waits until all are written. Throws RunError.
+  void settle() { writing_.settle(); }
 
   /// Which frames there are. What is read takes off those that were written later; throws RunError
   /// when an earlier one is gone.
   template <class Archive>
   void archive(Archive& a) {
+    settle();
     a(count_);
     if constexpr (Archive::is_reader) take_back();
     a(list_);
@@ -38,6 +45,9 @@ class Frames {
   Vec3d origin_;
   PvdWriter list_;
   std::size_t count_ = 0;
+  int threads_;
+  bool are_beside_steps_;
+  Background writing_;  // the last: it ends before what it works on
 };
 
 }  // namespace sabo

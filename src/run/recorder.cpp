@@ -178,8 +178,26 @@ void Recorder::look(double time, Backend& backend) {
   for (VolumeLedger& ledger : ledgers_) ledger.record(before, now, model_.threads);
   if (rest_.is_due(time)) rest_.update(time, backend.fluid());
   if (travelled_ < sampling_distance_) return;
-  maps_.update(time, backend.fluid());
+  sample_maps(time, backend);
   travelled_ = 0;
+}
+
+/// Beside the steps, where these leave the host to itself.
+void Recorder::sample_maps(double time, Backend& backend) {
+  if (backend.device_bytes() == 0) return maps_.update(time, backend.fluid());
+  mapping_.settle();
+  backend.copy_fluid(seen_);
+  mapping_.start([this, time] { maps_.update(time, seen_); });
+}
+
+void Recorder::finish(double time, const Particles& fluid) {
+  mapping_.settle();
+  maps_.update(time, fluid);
+}
+
+const FlowMaps& Recorder::maps() {
+  mapping_.settle();
+  return maps_;
 }
 
 void Recorder::after_renewal(Domain& domain, const Tait& state) {

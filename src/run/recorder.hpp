@@ -11,6 +11,7 @@
 #include "analysis/tracks.hpp"
 #include "analysis/volume_ledger.hpp"
 #include "analysis/zone.hpp"
+#include "base/background.hpp"
 #include "io/output/csv.hpp"
 #include "run/dam_fillings.hpp"
 #include "run/gauges.hpp"
@@ -82,10 +83,11 @@ class Recorder {
   void write_row(const Stepper& stepper, const StepReport& report, Backend& backend);
 
   /// Takes the last state into the maps.
-  void finish(double time, const Particles& fluid) { maps_.update(time, fluid); }
+  void finish(double time, const Particles& fluid);
 
   const std::vector<SeriesRow>& rows() const { return rows_; }
-  const FlowMaps& maps() const { return maps_; }
+  /// Of all that was sampled.
+  const FlowMaps& maps();
   const MotionState& motion() const { return rest_.state(); }
   const std::vector<Basin>& basins() const { return fillings_.basins(); }
   std::vector<LoadSummary> loads() const { return loads_.summaries(); }
@@ -93,6 +95,7 @@ class Recorder {
   /// Without the tracks, see follow().
   template <class Archive>
   void archive(Archive& a) {
+    mapping_.settle();
     a.mark("recorder");
     a.fixed(sections_);
     a.fixed(ledgers_);
@@ -109,6 +112,7 @@ class Recorder {
 
  private:
   void look(double time, Backend& backend);
+  void sample_maps(double time, Backend& backend);
   void check_energy(const SeriesRow& row) const;
   void write_zones(SeriesRow& row);
   void write_solver_row(const Stepper& stepper, const StepReport& report, Backend& backend);
@@ -140,6 +144,8 @@ class Recorder {
   std::vector<SeriesRow> rows_;
   CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_,
       solver_csv_;
+  Particles seen_;      // when the maps were last sampled, from a backend that is copied
+  Background mapping_;  // the last: it ends before what it works on
 };
 
 }  // namespace sabo

@@ -46,7 +46,7 @@ class Simulation {
         flow_(c, scene, start.fluid, scene.inflows),
         folder_(folder),
         recorder_(c, scene, flow_.model(), folder_),
-        frames_(scene, folder_),
+        frames_(scene, folder_, flow_.model().threads, flow_.backend().device_bytes() > 0),
         checkpoints_(folder.checkpoints()),
         head_(checkpoint_head(c, scene)),
         row_due_(start.time),
@@ -102,10 +102,12 @@ class Simulation {
       // Before the last row and frame, which would not be there had the run not ended here.
       if (is_over || is_stopped) write_checkpoint(false);
       if (time >= row_due_ || is_over || is_stopped) {
+        const PassClock clock(flow_.backend().pass_times(), "series and maps");
         recorder_.write_row(flow_.stepper(), report_, flow_.backend());
         row_due_ += case_.run.series_interval;
       }
       if (time >= frame_due_ || is_over || is_stopped) {
+        const PassClock clock(flow_.backend().pass_times(), "frames");
         frames_.write(time, flow_.backend().fluid());
         frame_due_ += case_.run.output_interval;
       }
@@ -113,16 +115,21 @@ class Simulation {
       if (time < duration && is_empty) facts_.reason = "all of the flow has left the map";
       if (time < duration && is_at_rest && !is_empty)
         facts_.reason = rest_reason(recorder_.motion(), case_.run);
-      if (is_over || is_stopped) return;
+      if (is_over || is_stopped) return frames_.settle();
       write_due_checkpoint();
 
       report_ = flow_.stepper().step(duration - time);
       count_step();
-      recorder_.after_entry(flow_.domain(), flow_.backend().model().state);
-      recorder_.after_step(flow_.stepper(), report_, flow_.backend());
-      recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
+      record_step();
       tell_progress();
     }
+  }
+
+  void record_step() {
+    const PassClock clock(flow_.backend().pass_times(), "series and maps");
+    recorder_.after_entry(flow_.domain(), flow_.backend().model().state);
+    recorder_.after_step(flow_.stepper(), report_, flow_.backend());
+    recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
   }
 
   void count_step() {
@@ -163,6 +170,7 @@ class Simulation {
   /// A run goes on without one that cannot be written.
   void write_checkpoint(bool is_kept) {
     if (case_.run.checkpoint_interval == 0 || flow_.stepper().neighbours_are_due()) return;
+    frames_.settle();  // what it throws ends the run
     head_.time = flow_.stepper().time();
     head_.steps = flow_.stepper().steps();
     try {
@@ -177,6 +185,7 @@ class Simulation {
   void show_failure() {
     try {
       frames_.write(flow_.stepper().time(), flow_.backend().fluid());
+      frames_.settle();
     } catch (const RunError& error) {
       facts_.reason += std::string("; its last frame could not be written: ") + error.what();
     }

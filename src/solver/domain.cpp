@@ -33,7 +33,8 @@ void Domain::advance_inflows(Particles& fluid, const Tait& state, double time, d
 void Domain::update(Backend& backend) {
   const std::vector<Vec3d>& positions = backend.positions();
   std::vector<Place> places(positions.size());
-  over(positions.size(), host_threads(backend.model().threads),
+  const int threads = backend.model().threads;
+  over(positions.size(), host_threads(threads),
        [&](std::size_t i) { places[i] = place_of(positions[i]); });
   std::vector<std::uint32_t> staying, leaving;
   std::vector<Sunk> sunk;
@@ -51,7 +52,7 @@ void Domain::update(Backend& backend) {
     departed_.append(fluid, leaving);
     if (!leaving.empty()) fluid.permute(staying);
   }
-  const BoundaryChange change = ground_.follow(backend.positions(), backend.list_radius());
+  const BoundaryChange change = ground_.follow(backend.positions(), backend.list_radius(), threads);
   if (!change.is_empty()) backend.change_boundary(change);
 }
 

@@ -1,11 +1,14 @@
 #include "terrain/ground.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/host_loops.hpp"
 #include "terrain/body_points.hpp"
 
 namespace sabo {
@@ -44,22 +47,35 @@ TileRange common(const TileRange& a, const TileRange& b) {
           std::min(a.north, b.north)};
 }
 
-/// A cheap filter in front of an exact one: most particles ask for the tiles that another one has
-/// just asked for.
-class RecentRanges {
+/// Tiles that some particles ask for.
+class TileKeys {
  public:
-  /// Whether `range` was seen lately; remembers it.
-  bool has_seen(const TileRange& range) {
+  /// A cheap filter in front of an exact one: most particles ask for the tiles that another one has
+  /// just asked for.
+  void add(const TileRange& range) {
     const auto hash = static_cast<std::uint32_t>(range.west) * 73856093U ^
                       static_cast<std::uint32_t>(range.south) * 19349663U ^
                       static_cast<std::uint32_t>(range.east - range.west) * 83492791U ^
                       static_cast<std::uint32_t>(range.north - range.south) * 2654435761U;
-    TileRange& slot = slots_[hash % slots_.size()];
-    return std::exchange(slot, range) == range;
+    TileRange& slot = recent_[hash % recent_.size()];
+    if (std::exchange(slot, range) == range) return;
+    for (std::int32_t i = range.west; i <= range.east; ++i) {
+      for (std::int32_t j = range.south; j <= range.north; ++j) keys_.push_back(key_of(i, j));
+    }
+  }
+  void join(const TileKeys& next) {
+    keys_.insert(keys_.end(), next.keys_.begin(), next.keys_.end());
+  }
+  /// Each key once, sorted.
+  std::vector<std::int64_t> take() {
+    std::sort(keys_.begin(), keys_.end());
+    keys_.erase(std::unique(keys_.begin(), keys_.end()), keys_.end());
+    return std::move(keys_);
   }
 
  private:
-  std::vector<TileRange> slots_ = std::vector<TileRange>(1 << 14);
+  std::array<TileRange, 64> recent_;
+  std::vector<std::int64_t> keys_;
 };
 
 }  // namespace
@@ -115,19 +131,19 @@ std::int64_t Ground::tile_at(double x, double y) const {
   return key_of(tile.west, tile.south);
 }
 
-BoundaryChange Ground::follow(const std::vector<Vec3d>& fluid, double reach) {
-  const std::vector<std::int64_t> wanted = tiles_near(fluid, reach);
+BoundaryChange Ground::follow(const std::vector<Vec3d>& fluid, double reach, int threads) {
+  const std::vector<std::int64_t> wanted = tiles_near(fluid, reach, threads);
   BoundaryChange change{drop_tiles_except(wanted), {}};
-  std::vector<GroundPoint> made;
-  for (const std::int64_t key : wanted) {
-    const auto [tile, is_new] = tiles_.try_emplace(key);
-    if (!is_new) continue;
-    const std::size_t before = made.size();
-    make_tile(key, made);
-    tile->second = {next_id_ + static_cast<std::uint32_t>(before),
-                    static_cast<std::uint32_t>(made.size() - before)};
+  std::vector<std::int64_t> fresh;
+  std::ranges::copy_if(wanted, std::back_inserter(fresh),
+                       [this](std::int64_t key) { return !tiles_.contains(key); });
+  std::vector<std::vector<GroundPoint>> made(fresh.size());
+  over_few(fresh.size(), host_threads(threads),
+           [&](std::size_t k) { make_tile(fresh[k], made[k]); });
+  for (std::size_t k = 0; k < fresh.size(); ++k) {
+    tiles_[fresh[k]] = {next_id_, static_cast<std::uint32_t>(made[k].size())};
+    append(made[k], change.made);
   }
-  append(made, change.made);
   return change;
 }
 
@@ -143,25 +159,21 @@ void Ground::make_all(double west, double south, double east, double north, Part
 }
 
 /// Keys of the tiles within reach, sorted.
-std::vector<std::int64_t> Ground::tiles_near(const std::vector<Vec3d>& fluid, double reach) const {
+std::vector<std::int64_t> Ground::tiles_near(const std::vector<Vec3d>& fluid, double reach,
+                                             int threads) const {
   const Grid& grid = surface_.elevation().grid;
   const double margin = columns_.margin();
   const TileRange domain = tiles_over(grid.west - margin, grid.south() - margin,
                                       grid.east() + margin, grid.north + margin, tile_size_);
-  RecentRanges recent;
-  std::vector<std::int64_t> keys;
-  for (const Vec3d& p : fluid) {
-    if (!std::isfinite(p.x + p.y)) continue;
-    const TileRange range =
-        common(domain, tiles_over(p.x - reach, p.y - reach, p.x + reach, p.y + reach, tile_size_));
-    if (recent.has_seen(range)) continue;
-    for (std::int32_t i = range.west; i <= range.east; ++i) {
-      for (std::int32_t j = range.south; j <= range.north; ++j) keys.push_back(key_of(i, j));
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
-  return keys;
+  return blocked_sum<TileKeys>(
+             fluid.size(), host_threads(threads),
+             [&](std::size_t k, TileKeys& keys) {
+               const Vec3d& p = fluid[k];
+               if (!std::isfinite(p.x + p.y)) return;
+               keys.add(common(domain, tiles_over(p.x - reach, p.y - reach, p.x + reach,
+                                                  p.y + reach, tile_size_)));
+             })
+      .take();
 }
 
 /// Forgets the tiles that are not wanted; returns those that held particles, sorted by id.

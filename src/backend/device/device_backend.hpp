@@ -33,6 +33,7 @@ class DeviceBackend : public Backend {
 
   Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
+  void copy_fluid(Particles& into) override;
   const std::vector<Vec3d>& positions() override;
   Places places() override;
   void change_boundary(const BoundaryChange& change) override;

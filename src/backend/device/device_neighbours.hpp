@@ -38,6 +38,14 @@ Particles& DeviceBackend<Executor>::fetched(DeviceParticles<Executor>& from, Cop
 }
 
 template <class Executor>
+void DeviceBackend<Executor>::copy_fluid(Particles& into) {
+  if (fluid_copy_.is_current)
+    into = fluid_copy_.particles;
+  else
+    fluid_.download(on_, into);
+}
+
+template <class Executor>
 const std::vector<Vec3d>& DeviceBackend<Executor>::positions() {
   if (fluid_copy_.is_current) return fluid_copy_.particles.position;
   if (!fluid_copy_.has_places) on_.download(fluid_.position, positions_copy_);

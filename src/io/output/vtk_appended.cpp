@@ -8,6 +8,7 @@
 #include <zlib.h>
 
 #include "base/error.hpp"
+#include "base/host_loops.hpp"
 #include "io/output/markup.hpp"
 
 namespace sabo {
@@ -15,6 +16,17 @@ namespace {
 
 constexpr std::size_t block_size = 1 << 18;  // bytes before compression
 constexpr int level = 1;                     // of zlib; particle data gain little from higher ones
+
+std::string compressed(std::span<const std::byte> block) {
+  uLongf size = compressBound(block.size());
+  std::string packed(size, '\0');
+  if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
+                reinterpret_cast<const Bytef*>(block.data()), block.size(), level) != Z_OK) {
+    throw RunError("not enough memory to compress a frame");
+  }
+  packed.resize(size);
+  return packed;
+}
 
 }  // namespace
 
@@ -26,17 +38,14 @@ std::string VtkAppended::add(std::string_view type, std::string_view name, int c
   header.resize(3 + count);
   bytes_.append(header.size() * sizeof(std::uint64_t), '\0');
 
-  std::vector<Bytef> packed(compressBound(block_size));
+  std::vector<std::string> packed(count);
+  over_few(count, host_threads(threads_), [&](std::size_t i) {
+    packed[i] = compressed(
+        data.subspan(i * block_size, std::min(block_size, data.size() - i * block_size)));
+  });
   for (std::size_t i = 0; i < count; ++i) {
-    const auto block =
-        data.subspan(i * block_size, std::min(block_size, data.size() - i * block_size));
-    uLongf size = packed.size();
-    if (compress2(packed.data(), &size, reinterpret_cast<const Bytef*>(block.data()), block.size(),
-                  level) != Z_OK) {
-      throw RunError("not enough memory to compress a frame");
-    }
-    header[3 + i] = size;
-    bytes_.append(reinterpret_cast<const char*>(packed.data()), size);
+    header[3 + i] = packed[i].size();
+    bytes_ += packed[i];
   }
   bytes_.replace(offset, header.size() * sizeof(std::uint64_t),
                  reinterpret_cast<const char*>(header.data()),

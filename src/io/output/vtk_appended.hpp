@@ -12,6 +12,9 @@ namespace sabo {
 /// Source: VTK file formats, "XML file formats", compressed appended data.
 class VtkAppended {
  public:
+  /// Blocks are compressed by so many threads, as host_threads() takes them.
+  explicit VtkAppended(int threads = 1) : threads_(threads) {}
+
   /// Adds an array and returns its DataArray element. `type` is e.g. "Float32".
   std::string add(std::string_view type, std::string_view name, int components,
                   std::span<const std::byte> data);
@@ -19,6 +22,7 @@ class VtkAppended {
   const std::string& bytes() const { return bytes_; }
 
  private:
+  int threads_;
   std::string bytes_;
 };
 

@@ -179,10 +179,11 @@ void write_triangles(const std::filesystem::path& file, const std::string& field
 
 }  // namespace
 
-void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& frame) {
+void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& frame, int threads) {
   const std::size_t count = frame.points.size();
   check(file, {"position", 3, floats_of(frame.points)}, count);
   PolyData p;
+  p.data = VtkAppended(threads);
   p.fields = time_field(frame.time) + origin_field(frame.origin);
   p.point_count = p.cell_count = count;
   p.cell_kind = "Verts";

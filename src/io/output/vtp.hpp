@@ -32,8 +32,8 @@ struct VtpFrame {
 
 /// Writes VTK XML PolyData with one vertex cell per particle: appended raw data in zlib blocks.
 /// Throws RunError; also for an array of another length than the points and for a value that is
-/// not finite.
-void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& frame);
+/// not finite. Threads as host_threads() takes them.
+void write_particles_vtp(const std::filesystem::path& file, const VtpFrame& frame, int threads = 1);
 
 /// Writes the ground (solver frame) as triangles between cell centres with data, cut as Surface
 /// cuts them, with the array "elevation [m]". Of more than `max_points` cells every k-th is taken.

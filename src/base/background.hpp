@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <future>
+#include <utility>
+
+namespace sabo {
+
+/// Work beside that of the caller, one piece at a time in a thread of its own.
+class Background {
+ public:
+  Background() = default;
+  Background(const Background&) = delete;
+  Background& operator=(const Background&) = delete;
+  /// Waits; what the last piece threw is lost then.
+  ~Background() = default;
+
+  /// Waits for the piece before, as settle() does, and starts another. What it works on must stay
+  /// as it is until then.
+  void start(std::function<void()> work) {
+    settle();
+    running_ = std::async(std::launch::async, std::move(work));
+  }
+
+  /// Waits for what was started; throws what that has thrown, once.
+  void settle() {
+    if (running_.valid()) running_.get();
+  }
+
+ private:
+  std::future<void> running_;
+};
+
+}  // namespace sabo
