@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "backend/body_load.hpp"
+#include "backend/heat_account.hpp"
 #include "backend/model.hpp"
-#include "backend/numerical_heat.hpp"
 #include "backend/pass_times.hpp"
 #include "backend/viscous_solve.hpp"
 #include "base/archive.hpp"
@@ -121,13 +121,15 @@ class Backend {
 
   /// Extremes of the last evaluation, for the time step.
   virtual FlowExtremes extremes() const = 0;
+  /// The speed among them, for which a backend may have less to do, m/s.
+  virtual double fastest() const { return extremes().speed; }
   virtual FlowHealth health() const = 0;
   /// Power that viscosity, within the flow and at its walls, turns into heat at the last
   /// evaluation, W; with moving walls their work is counted as well. To be called before the
   /// state moves on.
   virtual double dissipation() const = 0;
-  /// Since the start, of the implicit method.
-  virtual const NumericalHeat& numerical_heat() const = 0;
+  /// Since the start. May be a copy: ask again after a step.
+  virtual const HeatAccount& heat() const = 0;
 
   /// What the fluid does to each body at the last evaluation, number 1 first: minus what its
   /// particles do to the fluid, by pressure, artificial viscosity and stress; in the implicit

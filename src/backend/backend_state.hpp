@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "backend/body_load_sum.hpp"
-#include "backend/numerical_heat.hpp"
+#include "backend/heat_account.hpp"
 #include "backend/pass_times.hpp"
 #include "particles/particles.hpp"
 
@@ -18,7 +18,7 @@ struct BackendState {
   Particles& boundary;
   std::vector<std::uint32_t>& awake;
   BodyLoadSum& loads;
-  NumericalHeat& numerical_heat;
+  HeatAccount& heat;
   PassTimes& pass_times;
   std::vector<Vec3d>& listed;  ///< positions of the fluid when its pairs were listed
 
@@ -26,7 +26,7 @@ struct BackendState {
   void archive(Archive& a) {
     a.mark("backend");
     a(sound_speed, fluid);  // as ArchivedFluid
-    a(boundary, awake, loads, numerical_heat, pass_times, listed);
+    a(boundary, awake, loads, heat, pass_times, listed);
   }
 
   /// Throws RunError for what no backend with lists of this radius (m) can have written.

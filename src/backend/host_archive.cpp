@@ -6,8 +6,8 @@ namespace sabo {
 template <class Archive>
 void HostBackend::archive_state(Archive& a) {
   std::vector<Vec3d> listed = listed_positions();
-  BackendState state{model_.state.c0, fluid_,          boundary_,   awake_,
-                     body_loads_,     numerical_heat_, pass_times_, listed};
+  BackendState state{model_.state.c0, fluid_, boundary_,   awake_,
+                     body_loads_,     heat_,  pass_times_, listed};
   state.archive(a);
   if constexpr (Archive::is_reader) {
     state.check(list_radius());

@@ -142,9 +142,7 @@ void HostBackend::predict(double dt) {
 
 void HostBackend::correct(double dt) {
   const PassClock clock(pass_times_, "integration");
-  const auto heat = on_.reduce<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view()});
-  numerical_heat_.density_diffusion += dt * heat.diffusion;
-  numerical_heat_.walls += dt * heat.walls;
+  on_.reduce<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view()}).enter(dt, heat_);
   const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
                         start_boundary_density_.data()};
   on_.for_each(fluid_.size(), CorrectFluid{view(), start, dt});
@@ -155,7 +153,7 @@ void HostBackend::set_sound_speed(double c0) {
   const Tait former = model_.state;
   model_.state.c0 = c0;
   const ChangeSoundSpeed change{former, model_.state, view_of(fluid_), !model_.tension_at_surface};
-  numerical_heat_.sound_speed += on_.reduce<Total>(fluid_.size(), change).value;
+  on_.reduce<SoundHeat>(fluid_.size(), change).enter(0, heat_);
 }
 
 }  // namespace sabo

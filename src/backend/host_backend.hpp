@@ -33,7 +33,7 @@ class HostBackend : public Backend {
   FlowExtremes extremes() const override;
   FlowHealth health() const override;
   double dissipation() const override;
-  const NumericalHeat& numerical_heat() const override { return numerical_heat_; }
+  const HeatAccount& heat() const override { return heat_; }
   void predict(double dt) override;
   void correct(double dt) override;
   void wall_resistance() override;
@@ -94,6 +94,7 @@ class HostBackend : public Backend {
   std::vector<std::uint32_t> awake_;   ///< fluid particles that take part in the sweeps, in order
   std::vector<std::uint32_t> driven_;  ///< fluid particles that an inflow moves, in order
   std::size_t asleep_count_ = 0;       ///< all others
+  HeatAccount heat_;
 
   // Results of the last evaluation. Arrays over all particles hold the fluid first.
   std::vector<Sym3<double>> strain_;  ///< eps = grad v + (grad v)^T, 1/s
@@ -126,7 +127,6 @@ class HostBackend : public Backend {
   void list_again(std::vector<Vec3d>& listed);
 
   std::vector<std::uint32_t> driven_walls_;  // boundary particles that may be near driven ones
-  NumericalHeat numerical_heat_;
   std::vector<Vec3d> start_position_;
   std::vector<Vec3d> start_velocity_;
   std::vector<double> start_density_;

@@ -47,13 +47,18 @@ class HostExecutor {
     return blocked_sum<Sum>(count, threads_, f);
   }
 
+  /// The same; the sum becomes the one value of `total`, where it can be read without a wait.
+  template <class Sum, class F>
+  void sum_into(std::size_t count, const F& f, Array<Sum>& total) const {
+    total.assign(1, reduce<Sum>(count, f));
+  }
+
   /// A sweep over the pairs of each i in [0, count); see backend/device/pair_rows.hpp.
   template <class Sweep>
   void sweep(std::size_t count, const Sweep& sweep) const {
     for_each(count, [&](std::size_t i) { sweep.finish(i, sums_of_row(sweep, i)); });
   }
-  /// The same; the sum of what finish(i, sums, sum) adds becomes the one value of `total`, where it
-  /// can be read without a wait.
+  /// The same, with sum_into() of what finish(i, sums, sum) adds.
   template <class Sum, class Sweep>
   void sweep_and_sum(std::size_t count, const Sweep& sweep, Array<Sum>& total) const {
     total.assign(1, reduce<Sum>(count, [&](std::size_t i, Sum& sum) {

@@ -32,12 +32,8 @@ void HostBackend::advance_state(double dt) {
   if (model_.particle_shifting > 0) shift_particles(dt);
   const PassClock clock(pass_times_, "density and viscosity");
   const AdvanceState advance{view(), awake_.data(), dt, AdvanceState::caught_up(model_, dt)};
-  const auto heat = on_.reduce<StepHeat>(awake_.size(), advance);
+  on_.reduce<StepHeat>(awake_.size(), advance).enter(dt, heat_);
   over_rows(driven_, threads(), MoveDriven{view(), dt});
-  numerical_heat_.artificial_viscosity += dt * heat.artificial;
-  numerical_heat_.density_diffusion += heat.diffusion;
-  numerical_heat_.density_hold += heat.hold;
-  numerical_heat_.shifting += heat.shifting;
   find_viscosity();
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend/flow_view.hpp"
+#include "backend/heat_account.hpp"
 #include "backend/sweeps/flow_sums.hpp"
 #include "backend/viscous_solver.hpp"
 
@@ -77,19 +78,37 @@ struct FindInertia {
   }
 };
 
+/// Kinetic energy that viscosity and walls took, J.
+struct ViscousHeat {
+  double value = 0;
+  SABO_HD void join(const ViscousHeat& other) { value += other.value; }
+  SABO_HD void enter(double /*dt*/, HeatAccount& account) const { account.viscosity += value; }
+};
+
+/// What the solve has left undone, as one change of velocity for all.
+struct FindOwed {
+  Dot left;
+  const Total* inertia;
+  Vec3d* owed;
+  SABO_HD void operator()(std::size_t) const {
+    const double all = inertia->value;
+    *owed = all > 0 ? (1 / all) * Vec3d{left.x, left.y, left.z} : Vec3d{};
+  }
+};
+
 /// The new velocity, and the viscous force times the mean velocity of the step, J. With what it
 /// takes from the pushed velocity, the heat of a creeping flow would be that of dt g, which it
 /// never reaches.
 template <class T>
 struct TakeVelocity {
   VelocityView<T> on;
-  Vec3d owed;
-  SABO_HD void operator()(std::size_t k, Total& heat) const {
+  const Vec3d* owed;
+  SABO_HD void operator()(std::size_t k, ViscousHeat& heat) const {
     const std::size_t i = on.solver.rows[k];
     const Quad<T>& c = on.solver.change[i];
     Vec3d& velocity = on.flow.fluid.velocity[i];
     const Vec3d before = on.pushed(i);
-    const Vec3d after = on.guess[i] + Vec3d{double(c.x), double(c.y), double(c.z)} + owed;
+    const Vec3d after = on.guess[i] + Vec3d{double(c.x), double(c.y), double(c.z)} + *owed;
     heat.value += 0.5 * on.flow.fluid.mass[i] * dot(before - after, velocity + after);
     on.flow.fluid.drag[i] = (1 / on.dt) * (after - before);
     velocity = after;
@@ -106,12 +125,14 @@ class VelocityStep {
 
   Numbers conductance_sum;  ///< row sums of -K off its diagonal, kg/s, in
   ViscousSolver<T, Executor> solver;
+  typename Executor::template Array<ViscousHeat> heat;  ///< one: of a step that converged, out
 
   /// All rows start from zero.
   void reset(const Executor& on, std::size_t particles) {
     for (Numbers* numbers : {&conductance_sum, &mass_, &drag_, &none_})
       on.zero(*numbers, particles);
     on.zero(guess_, particles);
+    on.zero(owed_, 1);
     solver.reset(on, particles);
   }
 
@@ -133,16 +154,15 @@ class VelocityStep {
     multiply(none_.data(), drag_.data());
     on.for_each(driven.count, AtRow<WithdrawVelocity<T>>{driven.index, {view}});
     on.for_each(rows.count, FindResidual<T>{view});
-    ViscousSolve outcome = solver.solve(on, rows, mass_.data(), tolerance, most_iterations,
-                                        [&] { multiply(mass_.data(), drag_.data()); });
+    const ViscousSolve outcome = solver.solve(on, rows, mass_.data(), tolerance, most_iterations,
+                                              [&] { multiply(mass_.data(), drag_.data()); });
     if (!outcome.converged) return outcome;
-    // What the solve has left undone, as one change of velocity for all: the coarse correction by
-    // the constant vector (Nicolaides 1987), after which the residuals add up to zero. Viscosity
-    // within the flow then conserves momentum to rounding, whatever the tolerance.
-    const double inertia = on.template reduce<Total>(rows.count, FindInertia<T>{view}).value;
-    const Dot& left = solver.residual_sum;
-    const Vec3d owed = inertia > 0 ? (1 / inertia) * Vec3d{left.x, left.y, left.z} : Vec3d{};
-    outcome.heat = on.template reduce<Total>(rows.count, TakeVelocity<T>{view, owed}).value;
+    // The coarse correction by the constant vector (Nicolaides 1987), after which the residuals add
+    // up to zero. Viscosity within the flow then conserves momentum to rounding, whatever the
+    // tolerance.
+    on.sum_into(rows.count, FindInertia<T>{view}, inertia_);
+    on.for_each(1, FindOwed{solver.residual_sum, inertia_.data(), owed_.data()});
+    on.sum_into(rows.count, TakeVelocity<T>{view, owed_.data()}, heat);
     return outcome;
   }
 
@@ -154,7 +174,8 @@ class VelocityStep {
 
  private:
   Numbers mass_, drag_, none_;
-  typename Executor::template Array<Vec3d> guess_;
+  typename Executor::template Array<Vec3d> guess_, owed_;  // the latter one
+  typename Executor::template Array<Total> inertia_;       // one
 };
 
 }  // namespace sabo

@@ -6,7 +6,6 @@ namespace sabo {
 struct ViscousSolve {
   int iterations = 0;
   bool converged = true;
-  double heat = 0;  ///< kinetic energy that viscosity and walls took, J
 };
 
 }  // namespace sabo

@@ -222,7 +222,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
       freed_ + energy_of(driven_part(backend.fluid()), model_.gravity, backend.model().state);
   row.left = left_;
   row.dissipated = stepper.dissipated();
-  row.numerical = backend.numerical_heat();
+  row.numerical = backend.heat().numerical;
   if (!rows_.empty() && inflows_.empty()) check_energy(row);
   rest_.update(row.time, backend.fluid());
   row.motion = rest_.state();

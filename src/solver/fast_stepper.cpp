@@ -31,7 +31,7 @@ StepReport FastStepper::advance(double longest) {
   if (steps() % sleep_interval == 0) backend_.update_sleep();
   // All sums are taken where the particles are now.
   if (backend_.neighbours_are_stale(0)) renew_neighbours();
-  follow_the_flow(backend_.extremes().speed);
+  follow_the_flow(backend_.fastest());
 
   backend_.wall_pressure();
   backend_.near_forces();
@@ -48,10 +48,7 @@ StepReport FastStepper::advance(double longest) {
     const ViscousSolve solve = backend_.advance_velocity(
         report.dt, rule_.viscous_tolerance * change, rule_.most_iterations);
     report.iterations += solve.iterations;
-    if (solve.converged) {
-      dissipated_ += solve.heat;
-      break;
-    }
+    if (solve.converged) break;
     if (halvings == most_halvings)
       throw RunError(
           "the implicit viscosity does not converge; raise numerics.viscous_iterations, "

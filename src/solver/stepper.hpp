@@ -47,7 +47,8 @@ class Stepper {
   /// Before the first step: the flow is that of another time than 0.
   void start_at(double time) { time_ = time; }
   std::size_t steps() const { return steps_; }
-  double dissipated() const { return dissipated_; }  ///< heat made by viscosity so far, J
+  /// Heat made by viscosity so far, J.
+  double dissipated() const { return dissipated_ + backend_.heat().viscosity; }
   /// What each body has been given so far, number 1 first: the loads of every step over its time,
   /// N s and N m s. Its difference over an interval by the interval is the mean load.
   const std::vector<BodyLoad>& body_impulses() const { return body_impulses_; }
@@ -69,7 +70,7 @@ class Stepper {
   void renew_neighbours();
 
   Backend& backend_;
-  double dissipated_ = 0;
+  double dissipated_ = 0;  // J, that the backend does not account for
 
  private:
   void advance_inflows(double dt);

@@ -90,7 +90,7 @@ Step step_of(B&& backend, Cloud cloud) {
   keep_forces(backend, backend.fluid(), backend.accelerations(), step);
   const ViscousSolve solve = backend.advance_velocity(2e-3, 1e-8, 400);
   EXPECT_TRUE(solve.converged);
-  step.heat = solve.heat;
+  step.heat = backend.heat().viscosity;
   backend.near_motion();
   keep_motion(backend, backend.fluid(), backend.density_rates(), step);
   backend.advance_state(2e-3);

@@ -111,7 +111,7 @@ Account account_of(test::On kind, double shifting) {
   FastStepper stepper(*backend, test::fast_rule_of(model), nullptr);
   stepper.step(2e-5);
   const Particles& fluid = backend->fluid();
-  Account account{0, backend->numerical_heat().shifting};
+  Account account{0, backend->heat().numerical.shifting};
   for (std::size_t i = 0; i < fluid.size(); ++i)
     account.energy += fluid.mass[i] * (0.5 * dot(fluid.velocity[i], fluid.velocity[i]) -
                                        dot(model.gravity, fluid.position[i]) +

@@ -101,7 +101,7 @@ Slump slump(FlowModel model, double end_time) {
   const Energy start = energy();
   while (stepper.time() < end_time) stepper.step();
   const Energy end = energy();
-  const double heat = stepper.dissipated() + backend->numerical_heat().total();
+  const double heat = stepper.dissipated() + backend->heat().numerical.total();
   return {start.potential - end.potential, stepper.dissipated(),
           end.total() + heat - start.total()};
 }

@@ -167,7 +167,7 @@ TEST(Energy, IsAccountedForWhileABlockSlumps) {
     const Energy start = energy();
     while (stepper.time() < 0.3) stepper.step();
     const Energy end = energy();
-    const NumericalHeat& taken = backend->numerical_heat();
+    const NumericalHeat& taken = backend->heat().numerical;
     const double released = start.potential - end.potential;
     EXPECT_GT(released, 0.1 * 1000 * g * 0.5);  // it slumped
     EXPECT_GT(stepper.dissipated(), 0.2 * released);

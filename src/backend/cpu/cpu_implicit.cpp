@@ -108,9 +108,11 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
     for (const auto& dot : dots_) sum.join({dot[0], dot[1], dot[2]});
     solver.curvature[0] = sum;
   };
-  return velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
-                                {driven_.data(), driven_.size()}, dt, tolerance, most_iterations,
-                                multiply);
+  const ViscousSolve outcome = velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
+                                                      {driven_.data(), driven_.size()}, dt,
+                                                      tolerance, most_iterations, multiply);
+  if (outcome.converged) velocity_step_.heat[0].enter(dt, heat_);
+  return outcome;
 }
 
 void CpuBackend::near_motion() {

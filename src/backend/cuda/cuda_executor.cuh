@@ -159,6 +159,13 @@ class CudaExecutor {
     return total;
   }
 
+  template <class Sum, class F>
+  void sum_into(std::size_t count, const F& f, DeviceArray<Sum>& total) const {
+    if (count == 0) return upload(std::vector<Sum>(1), total);
+    total.resize(1);
+    start_sum(count, f, total.data());
+  }
+
   template <class Sweep>
   void sweep(std::size_t count, const Sweep& sweep) const {
     static_assert(std::is_trivially_copyable_v<Sweep> && sizeof(Sweep) < 4000);

@@ -12,11 +12,13 @@ void DeviceBackend<Executor>::archive_state(Archive& a) {
   std::vector<Vec3d> listed;
   on_.download(awake_, awake);
   on_.download(list_position_, listed);
-  BackendState state{model_.state.c0, fluid(),         boundary(),   awake,
-                     body_loads_,     numerical_heat_, pass_times(), listed};
+  HeatAccount account = heat();
+  BackendState state{model_.state.c0, fluid(), boundary(),   awake,
+                     body_loads_,     account, pass_times(), listed};
   state.archive(a);
   if constexpr (Archive::is_reader) {
     state.check(list_radius());
+    on_.upload(std::vector{account}, account_);
     list_again(listed, awake);
   }
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "backend/backend.hpp"
@@ -7,8 +8,10 @@
 #include "backend/device/device_particles.hpp"
 #include "backend/device/pair_sweeps.hpp"
 #include "backend/device/pass_marks.hpp"
+#include "backend/device/state_sums.hpp"
 #include "backend/flow_view.hpp"
 #include "backend/sweeps/flow_sums.hpp"
+#include "backend/sweeps/implicit_sweeps.hpp"
 #include "backend/velocity_step.hpp"
 
 namespace sabo {
@@ -70,9 +73,10 @@ class DeviceBackend : public Backend {
   void set_sound_speed(double c0) override;
 
   FlowExtremes extremes() const override;
+  double fastest() const override;
   FlowHealth health() const override;
   double dissipation() const override;
-  const NumericalHeat& numerical_heat() const override { return numerical_heat_; }
+  const HeatAccount& heat() const override;
   const std::vector<BodyLoad>& body_loads() const override { return body_loads_.loads(); }
   const std::vector<BodyForce>& body_forces() const override { return body_loads_.forces(); }
 
@@ -136,6 +140,18 @@ class DeviceBackend : public Backend {
     on_.for_each(driven_.size(), AtRow<F>{driven_.data(), f});
   }
 
+  void fluid_changed() {
+    fluid_copy_.outdate();
+    state_sums_.reset();
+  }
+  const StateSums& state_sums() const;
+  /// Into the account; f is to be summed up.
+  template <class Heat, class F>
+  void enter(std::size_t count, const F& f, double dt, Array<Heat>& heat) {
+    on_.sum_into(count, f, heat);
+    on_.for_each(1, EnterHeat<Heat>{heat.data(), dt, account_.data()});
+  }
+
   void set_scale();
   struct SortedSet {
     ColumnLattice lattice;
@@ -179,6 +195,7 @@ class DeviceBackend : public Backend {
   Array<Vec3d> list_position_;  // of the fluid when the list was made
   std::uint64_t fluid_pairs_ = 0, boundary_pairs_ = 0;
   bool has_list_ = false;
+  mutable std::optional<StateSums> state_sums_;  // until the fluid changes
 
   Array<std::uint32_t> awake_;         // fluid particles that take part in the sweeps
   Array<std::uint32_t> touched_;       // boundary particles with one of them near
@@ -204,7 +221,11 @@ class DeviceBackend : public Backend {
   Array<float> wall_weight_;
   Array<ClosingRecord> closings_;
   VelocityStep<float, Executor> velocity_step_;
-  NumericalHeat numerical_heat_;
+  Array<StepHeat> step_heat_;  // one, as those below
+  Array<ExplicitHeat> explicit_heat_;
+  Array<SoundHeat> sound_heat_;
+  Array<HeatAccount> account_;  // one
+  mutable std::vector<HeatAccount> account_copy_;
 
   BodyLoadSum body_loads_;
   Array<std::uint32_t> body_rows_;

@@ -80,7 +80,9 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double toleran
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), awake(), driven(), dt, tolerance,
                                                       most_iterations, multiply);
-  fluid_copy_.outdate();
+  if (outcome.converged)
+    on_.for_each(1, EnterHeat<ViscousHeat>{velocity_step_.heat.data(), dt, account_.data()});
+  fluid_changed();
   return outcome;
 }
 
@@ -118,18 +120,14 @@ void DeviceBackend<Executor>::advance_state(double dt) {
   if (model_.particle_shifting > 0) shift_particles(dt);
   const Clock clock(*this, "density and viscosity");
   const AdvanceState advance{view(), awake_.data(), dt, AdvanceState::caught_up(model_, dt)};
-  const auto heat = on_.template reduce<StepHeat>(awake_.size(), advance);
+  enter(awake_.size(), advance, dt, step_heat_);
   over_driven(MoveDriven{view(), dt});
-  numerical_heat_.artificial_viscosity += dt * heat.artificial;
-  numerical_heat_.density_diffusion += heat.diffusion;
-  numerical_heat_.density_hold += heat.hold;
-  numerical_heat_.shifting += heat.shifting;
   std::visit(
       [&](const auto& law) {
         over_awake(FindViscosity<std::decay_t<decltype(law)>>{view(), law});
       },
       model_.rheology);
-  fluid_copy_.outdate();
+  fluid_changed();
 }
 
 template <class Executor>
@@ -145,7 +143,7 @@ void DeviceBackend<Executor>::update_sleep() {
   const std::size_t before = awake_.size();
   list_awake();
   if (woken.value > 0 || awake_.size() != before) prepare_rows();
-  fluid_copy_.outdate();
+  fluid_changed();
 }
 
 template <class Executor>
@@ -154,9 +152,9 @@ void DeviceBackend<Executor>::set_sound_speed(double c0) {
   const Tait former = model_.state;
   model_.state.c0 = c0;
   const ChangeSoundSpeed change{former, model_.state, fluid_.view(), !model_.tension_at_surface};
-  numerical_heat_.sound_speed += on_.template reduce<Total>(fluid_.size(), change).value;
+  enter(fluid_.size(), change, 0, sound_heat_);
   scale_.set_sound_speed(model_);
-  fluid_copy_.outdate();
+  fluid_changed();
 }
 
 }  // namespace sabo

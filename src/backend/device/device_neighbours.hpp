@@ -28,6 +28,7 @@ DeviceBackend<Executor>::DeviceBackend(const FlowModel& model, const Executor& o
   check_periods(model, list_radius());
   on_.upload(std::vector<HalfSpace>{HalfSpace(model.h, model.dimension, model.spacing)},
              half_space_);
+  on_.zero(account_, 1);
 }
 
 template <class Executor>
@@ -105,7 +106,7 @@ void DeviceBackend<Executor>::change_driven(const std::function<void(Particles&)
   change(driven);
   put_driven(driven.position, fluid_.position);
   put_driven(driven.velocity, fluid_.velocity);
-  fluid_copy_.outdate();
+  fluid_changed();
 }
 
 template <class Executor>
@@ -130,7 +131,7 @@ template <class Executor>
 void DeviceBackend<Executor>::find_neighbours() {
   if (fluid_copy_.is_lent) fluid_.upload(on_, fluid_copy_.particles);
   if (boundary_copy_.is_lent) boundary_.upload(on_, boundary_copy_.particles);
-  fluid_copy_.outdate();
+  fluid_changed();
   boundary_copy_.outdate();
   has_list_ = false;  // until there is one again: memory may run out
   forget_results();
@@ -285,12 +286,10 @@ void DeviceBackend<Executor>::list_pairs() {
 
 template <class Executor>
 bool DeviceBackend<Executor>::neighbours_are_stale(double margin) const {
-  const Clock clock(*this, "checks and sums");
   const bool has_changed =
       fluid_copy_.is_lent && fluid_copy_.particles.size() != list_position_.size();
   if (!has_list_ || has_changed || list_position_.size() != fluid_.size()) return true;
-  const FindLongestWay find{fluid_.position.data(), list_position_.data()};
-  const double moved = std::sqrt(on_.template reduce<Longest>(fluid_.size(), find).square);
+  const double moved = std::sqrt(state_sums().way.square);
   if (!(moved + margin <= skin_)) return true;
   return 2 * (moved + margin) > skin_ && !(relative_way() + 2 * margin <= skin_);
 }
@@ -298,6 +297,7 @@ bool DeviceBackend<Executor>::neighbours_are_stale(double margin) const {
 /// The most that two particles which could have met have moved against each other, m.
 template <class Executor>
 double DeviceBackend<Executor>::relative_way() const {
+  const Clock clock(*this, "checks and sums");
   const FindWay way{fluid_.position.data(), list_position_.data()};
   // Across a border of the box columns far from each other are neighbours; and in a wide box with
   // little in it columns would take more than the particles.

@@ -16,7 +16,7 @@ void DeviceBackend<Executor>::pressure() {
   const Clock clock(*this, "pressure");
   for (DeviceParticles<Executor>* set : {&fluid_, &boundary_})
     on_.for_each(set->size(), FindPressure{model_.state, set->view()});
-  fluid_copy_.outdate();
+  fluid_changed();
   boundary_copy_.outdate();
 }
 
@@ -42,7 +42,7 @@ template <class Executor>
 void DeviceBackend<Executor>::stress() {
   const Clock clock(*this, "stress");
   find_stress(on_, view(), boundary_.size());
-  fluid_copy_.outdate();
+  fluid_changed();
   boundary_copy_.outdate();
 }
 
@@ -124,11 +124,34 @@ FlowExtremes DeviceBackend<Executor>::extremes() const {
 
 template <class Executor>
 FlowHealth DeviceBackend<Executor>::health() const {
-  const Clock clock(*this, "checks and sums");
-  const FindCondition find{fluid_.position.data(), fluid_.velocity.data(), fluid_.density.data(),
-                           model_.state.rho0};
-  const auto condition = on_.template reduce<Condition>(fluid_.size(), find);
+  const Condition& condition = state_sums().condition;
   return {condition.lowest, condition.highest, condition.broken == 0};
+}
+
+template <class Executor>
+double DeviceBackend<Executor>::fastest() const {
+  return std::sqrt(state_sums().speed2);
+}
+
+/// Of the fluid as it is on the device.
+template <class Executor>
+const StateSums& DeviceBackend<Executor>::state_sums() const {
+  if (state_sums_) return *state_sums_;
+  const Clock clock(*this, "checks and sums");
+  const FindCondition condition{fluid_.position.data(), fluid_.velocity.data(),
+                                fluid_.density.data(), model_.state.rho0};
+  const bool is_listed = has_list_ && list_position_.size() == fluid_.size();
+  const FindStateSums find{condition,
+                           {fluid_.position.data(), is_listed ? list_position_.data() : nullptr},
+                           is_listed ? has_neighbours_.data() : nullptr};
+  state_sums_ = on_.template reduce<StateSums>(fluid_.size(), find);
+  return *state_sums_;
+}
+
+template <class Executor>
+const HeatAccount& DeviceBackend<Executor>::heat() const {
+  on_.download(account_, account_copy_);
+  return account_copy_.front();
 }
 
 template <class Executor>
@@ -154,21 +177,19 @@ void DeviceBackend<Executor>::predict(double dt) {
   on_.copy(boundary_.density, start_boundary_density_);
   on_.for_each(fluid_.size(), PredictFluid{view(), 0.5 * dt});
   on_.for_each(boundary_.size(), PredictBoundary{view(), 0.5 * dt});
-  fluid_copy_.outdate();
+  fluid_changed();
   boundary_copy_.outdate();
 }
 
 template <class Executor>
 void DeviceBackend<Executor>::correct(double dt) {
   const Clock clock(*this, "integration");
-  const auto heat = on_.template reduce<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view()});
-  numerical_heat_.density_diffusion += dt * heat.diffusion;
-  numerical_heat_.walls += dt * heat.walls;
+  enter(fluid_.size(), FindExplicitHeat{view()}, dt, explicit_heat_);
   const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
                         start_boundary_density_.data()};
   on_.for_each(fluid_.size(), CorrectFluid{view(), start, dt});
   on_.for_each(boundary_.size(), CorrectBoundary{view(), start, dt});
-  fluid_copy_.outdate();
+  fluid_changed();
   boundary_copy_.outdate();
 }
 

@@ -79,9 +79,11 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
     }
     solver.curvature[0] = sum;
   };
-  return velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
-                                {driven_.data(), driven_.size()}, dt, tolerance, most_iterations,
-                                multiply);
+  const ViscousSolve outcome = velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
+                                                      {driven_.data(), driven_.size()}, dt,
+                                                      tolerance, most_iterations, multiply);
+  if (outcome.converged) velocity_step_.heat[0].enter(dt, heat_);
+  return outcome;
 }
 
 ReferenceBackend::Closing ReferenceBackend::closing_on(std::size_t b) const {

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "backend/flow_view.hpp"
+#include "backend/heat_account.hpp"
 #include "math/scalar.hpp"
 #include "physics/time_step.hpp"
 
@@ -91,6 +92,10 @@ struct ExplicitHeat {
     diffusion += other.diffusion;
     walls += other.walls;
   }
+  SABO_HD void enter(double dt, HeatAccount& account) const {
+    account.numerical.density_diffusion += dt * diffusion;
+    account.numerical.walls += dt * walls;
+  }
 };
 struct FindExplicitHeat {
   FlowView flow;
@@ -104,12 +109,21 @@ struct FindExplicitHeat {
   }
 };
 
-/// Densities for another speed of sound, and the energy that this takes, J.
+/// Energy that another speed of sound takes, J.
+struct SoundHeat {
+  double value = 0;
+  SABO_HD void join(const SoundHeat& other) { value += other.value; }
+  SABO_HD void enter(double /*dt*/, HeatAccount& account) const {
+    account.numerical.sound_speed += value;
+  }
+};
+
+/// Densities for another speed of sound.
 struct ChangeSoundSpeed {
   Tait former, state;
   ParticleView fluid;
   bool may_be_torn;  ///< then the pressure of a particle may not be that of its density
-  SABO_HD void operator()(std::size_t i, Total& sum) const {
+  SABO_HD void operator()(std::size_t i, SoundHeat& sum) const {
     const double before = former.elastic_energy(fluid.density[i]);
     const double pressure = may_be_torn ? former.pressure(fluid.density[i]) : fluid.pressure[i];
     fluid.density[i] = state.density(pressure);

@@ -117,6 +117,12 @@ struct StepHeat {
     hold += other.hold;
     shifting += other.shifting;
   }
+  SABO_HD void enter(double dt, HeatAccount& account) const {
+    account.numerical.artificial_viscosity += dt * artificial;
+    account.numerical.density_diffusion += diffusion;
+    account.numerical.density_hold += hold;
+    account.numerical.shifting += shifting;
+  }
 };
 
 /// Density, place and pressure at the end of the step.

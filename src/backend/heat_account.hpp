@@ -1,5 +1,9 @@
 #pragma once
 
+#include <cstddef>
+
+#include "base/host_device.hpp"
+
 namespace sabo {
 
 /// What the scheme itself has taken from the energy of the flow, J; negative what it gave.
@@ -15,6 +19,21 @@ struct NumericalHeat {
   double total() const {
     return artificial_viscosity + density_diffusion + density_hold + shifting + sound_speed + walls;
   }
+};
+
+/// What has been taken from a flow since its start.
+struct HeatAccount {
+  double viscosity = 0;  ///< fast: by viscosity within the flow and by walls, J
+  NumericalHeat numerical;
+};
+
+/// Enters the heat of a step where it was summed up.
+template <class Heat>
+struct EnterHeat {
+  const Heat* heat;
+  double dt;
+  HeatAccount* account;
+  SABO_HD void operator()(std::size_t) const { heat->enter(dt, *account); }
 };
 
 }  // namespace sabo
