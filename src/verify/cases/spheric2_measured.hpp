@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 /// What was measured in test 2 of SPHERIC: the file test_case_2_exp_data.dat of its release, of one
@@ -36,7 +37,6 @@ inline const std::vector<double> measured_h4{0.547, 0.534, 0.511, 0.487, 0.459, 
 inline constexpr double p1_quarter = 2810, p1_arrival = 0.395;  // Pa, s
 inline constexpr double p1_peak = 9862, p3_peak = 6320;         // Pa, greatest means over 20 ms
 inline constexpr double p1_impulse = 2859, p3_impulse = 2357;   // Pa s, over 0.4-1.0 s
-// Over 0.5-1.0 s, Pa: P4, and the mean of P1 to P4.
-inline constexpr double p4_mean = 3324, face_mean = 3781;
+inline constexpr std::array face_means{4092.0, 3835.0, 3873.0, 3324.0};  // Pa, over 0.5-1.0 s
 
 }  // namespace sabo::spheric2_measured
