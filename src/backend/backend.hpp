@@ -121,7 +121,8 @@ class Backend {
 
   /// Extremes of the last evaluation, for the time step.
   virtual FlowExtremes extremes() const = 0;
-  /// The speed among them, for which a backend may have less to do, m/s.
+  /// The speed among them, m/s, for which a backend may have less to do; it may count those that
+  /// have just fallen asleep.
   virtual double fastest() const { return extremes().speed; }
   virtual FlowHealth health() const = 0;
   /// Power that viscosity, within the flow and at its walls, turns into heat at the last

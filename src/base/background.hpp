@@ -2,7 +2,7 @@
 
 #include <functional>
 #include <future>
-#include <utility>
+#include <system_error>
 
 namespace sabo {
 
@@ -15,11 +15,15 @@ class Background {
   /// Waits; what the last piece threw is lost then.
   ~Background() = default;
 
-  /// Waits for the piece before, as settle() does, and starts another. What it works on must stay
-  /// as it is until then.
-  void start(std::function<void()> work) {
+  /// Waits for the piece before, as settle() does, and starts another, or does it. What it works on
+  /// must stay as it is until then.
+  void start(const std::function<void()>& work) {
     settle();
-    running_ = std::async(std::launch::async, std::move(work));
+    try {
+      running_ = std::async(std::launch::async, work);
+    } catch (const std::system_error&) {  // there is no thread to be had
+      work();
+    }
   }
 
   /// Waits for what was started; throws what that has thrown, once.

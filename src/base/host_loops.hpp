@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <exception>
+#include <utility>
 #include <vector>
 
 #include <omp.h>
@@ -25,21 +26,35 @@ void over(std::size_t count, int threads, const F& f) {
   for (std::ptrdiff_t i = 0; i < last; ++i) f(static_cast<std::size_t>(i));
 }
 
+/// Takes what is thrown within a parallel region, which no exception may leave, to its end.
+class ThrownInside {
+ public:
+  template <class F>
+  void watch(const F& f) {
+    try {
+      f();
+    } catch (...) {
+#pragma omp critical(sabo_thrown_inside)
+      thrown_ = std::current_exception();
+    }
+  }
+  void rethrow() const {
+    if (thrown_) std::rethrow_exception(thrown_);
+  }
+
+ private:
+  std::exception_ptr thrown_;
+};
+
 /// The same for few things, each of which takes long and may throw: of what is thrown, one comes
 /// out.
 template <class F>
 void over_few(std::size_t count, int threads, const F& f) {
-  std::exception_ptr thrown;
+  ThrownInside thrown;
 #pragma omp parallel for num_threads(threads) if (count > 1) schedule(dynamic, 1)
-  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i) {
-    try {
-      f(static_cast<std::size_t>(i));
-    } catch (...) {
-#pragma omp critical(sabo_over_few)
-      thrown = std::current_exception();
-    }
-  }
-  if (thrown) std::rethrow_exception(thrown);
+  for (std::ptrdiff_t i = 0; i < static_cast<std::ptrdiff_t>(count); ++i)
+    thrown.watch([&] { f(static_cast<std::size_t>(i)); });
+  thrown.rethrow();
 }
 
 /// f(i) for the particles named in `rows`.
@@ -49,19 +64,23 @@ void over_rows(const std::vector<std::uint32_t>& rows, int threads, const F& f) 
 }
 
 /// Joins what f(k, sum) adds to sums of fixed blocks, in their order, so that the result has the
-/// same bits for any number of threads. A Sum starts as Sum{} and has join(other).
+/// same bits for any number of threads. A Sum starts as Sum{} and has join(other); f may throw.
 template <class Sum, class F>
 Sum blocked_sum(std::size_t count, int threads, const F& f) {
   constexpr std::size_t block = 1024;
   const std::size_t blocks = (count + block - 1) / block;
   std::vector<Sum> partial(blocks);
+  ThrownInside thrown;
 #pragma omp parallel for num_threads(threads) if (blocks > 3) schedule(static)
   for (std::ptrdiff_t b = 0; b < static_cast<std::ptrdiff_t>(blocks); ++b) {
     const std::size_t last = std::min(count, (b + 1) * block);
-    Sum sum;
-    for (std::size_t k = b * block; k < last; ++k) f(k, sum);
-    partial[b] = sum;
+    thrown.watch([&] {
+      Sum sum;
+      for (std::size_t k = b * block; k < last; ++k) f(k, sum);
+      partial[b] = std::move(sum);
+    });
   }
+  thrown.rethrow();
   Sum total;
   for (const Sum& sum : partial) total.join(sum);
   return total;

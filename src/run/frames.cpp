@@ -111,7 +111,7 @@ void Frames::write(double time, const Particles& fluid) {
     list_.add(owned->frame.time, file(number).filename().string());
   };
   if (are_beside_steps_)
-    writing_.start(write);
+    writing_.start(write);  // one that fails leaves a gap in the numbers, not in the list
   else
     write();
   ++count_;

@@ -211,7 +211,8 @@ void Recorder::after_renewal(Domain& domain, const Tait& state) {
   }
 }
 
-void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backend& backend) {
+void Recorder::write_row(const Stepper& stepper, const StepReport& report, const FlowHealth& health,
+                         Backend& backend) {
   if (unseen_ > 0) look(stepper.time(), backend);
   SeriesRow row;
   row.time = stepper.time();
@@ -263,7 +264,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, Backe
   if (!inflows_.empty()) energies.push_back(row.entered.total());
   energy_csv_.append(energies);
   rest_csv_.append({row.time, row.motion.moving_volume, row.motion.energy_share, row.motion.creep});
-  write_solver_row(stepper, report, backend);
+  write_solver_row(stepper, report, health, backend);
   rows_.push_back(std::move(row));
 }
 
@@ -292,8 +293,7 @@ void Recorder::write_zones(SeriesRow& row) {
 }
 
 void Recorder::write_solver_row(const Stepper& stepper, const StepReport& report,
-                                Backend& backend) {
-  const FlowHealth health = backend.health();
+                                const FlowHealth& health, const Backend& backend) {
   solver_csv_.append({stepper.time(), static_cast<double>(stepper.steps()), report.dt,
                       report.flow.speed, health.min_density_ratio, health.max_density_ratio,
                       static_cast<double>(backend.fluid_count()),

@@ -78,9 +78,10 @@ class Recorder {
   /// Particles that left the domain and those put back on the ground since the last call.
   void after_renewal(Domain& domain, const Tait& state);
 
-  /// Appends a row to every series. Throws RunError, before it does, when the flow has more energy
-  /// than it can have.
-  void write_row(const Stepper& stepper, const StepReport& report, Backend& backend);
+  /// Appends a row to every series; `health` is that of now. Throws RunError, before it does, when
+  /// the flow has more energy than it can have.
+  void write_row(const Stepper& stepper, const StepReport& report, const FlowHealth& health,
+                 Backend& backend);
 
   /// Takes the last state into the maps.
   void finish(double time, const Particles& fluid);
@@ -115,7 +116,8 @@ class Recorder {
   void sample_maps(double time, Backend& backend);
   void check_energy(const SeriesRow& row) const;
   void write_zones(SeriesRow& row);
-  void write_solver_row(const Stepper& stepper, const StepReport& report, Backend& backend);
+  void write_solver_row(const Stepper& stepper, const StepReport& report, const FlowHealth& health,
+                        const Backend& backend);
 
   FlowModel model_;
   Tracks tracks_;

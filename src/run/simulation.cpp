@@ -102,12 +102,13 @@ class Simulation {
       // Before the last row and frame, which would not be there had the run not ended here.
       if (is_over || is_stopped) write_checkpoint(false);
       if (time >= row_due_ || is_over || is_stopped) {
-        const PassClock clock(flow_.backend().pass_times(), "series and maps");
-        recorder_.write_row(flow_.stepper(), report_, flow_.backend());
+        const FlowHealth health = flow_.backend().health();
+        const PassClock clock(recording_, "series and maps");
+        recorder_.write_row(flow_.stepper(), report_, health, flow_.backend());
         row_due_ += case_.run.series_interval;
       }
       if (time >= frame_due_ || is_over || is_stopped) {
-        const PassClock clock(flow_.backend().pass_times(), "frames");
+        const PassClock clock(recording_, "frames");
         frames_.write(time, flow_.backend().fluid());
         frame_due_ += case_.run.output_interval;
       }
@@ -126,7 +127,7 @@ class Simulation {
   }
 
   void record_step() {
-    const PassClock clock(flow_.backend().pass_times(), "series and maps");
+    const PassClock clock(recording_, "series and maps");
     recorder_.after_entry(flow_.domain(), flow_.backend().model().state);
     recorder_.after_step(flow_.stepper(), report_, flow_.backend());
     recorder_.after_renewal(flow_.domain(), flow_.backend().model().state);
@@ -150,7 +151,7 @@ class Simulation {
     a.mark("run");
     a(facts_.started, facts_.branched_from, facts_.branched_at, facts_.top_speed,
       facts_.sound_speed, facts_.top_mach, facts_.solver.iterations, facts_.resumed, wall_so_far,
-      row_due_, frame_due_, kept_due_, report_);
+      row_due_, frame_due_, kept_due_, report_, recording_);
     a(recorder_, frames_);
     if constexpr (Archive::is_reader) {
       wall_before_ = wall_so_far;
@@ -183,12 +184,18 @@ class Simulation {
 
   /// Writes the state that a run failed in as its last frame, if it can be written at all.
   void show_failure() {
-    try {
+    const auto told = [this](const char* frame, const std::function<void()>& write) {
+      try {
+        write();
+      } catch (const RunError& error) {
+        facts_.reason += fmt::format("; {} could not be written: {}", frame, error.what());
+      }
+    };
+    told("an earlier frame", [this] { frames_.settle(); });
+    told("its last frame", [this] {
       frames_.write(flow_.stepper().time(), flow_.backend().fluid());
       frames_.settle();
-    } catch (const RunError& error) {
-      facts_.reason += std::string("; its last frame could not be written: ") + error.what();
-    }
+    });
   }
 
   void tell_progress() {
@@ -264,7 +271,9 @@ class Simulation {
     facts_.solver.wall = wall();
     facts_.solver.simulated = flow_.stepper().time();
     facts_.solver.steps = flow_.stepper().steps();
-    facts_.passes = pass_shares(flow_.backend().pass_times(), facts_.solver.wall);
+    PassTimes passes = flow_.backend().pass_times();
+    for (const PassTime& pass : recording_.passes()) passes[pass.name] = pass;
+    facts_.passes = pass_shares(passes, facts_.solver.wall);
     facts_.motion = recorder_.motion();
     facts_.loads = recorder_.loads();
     facts_.basins = recorder_.basins();
@@ -289,6 +298,7 @@ class Simulation {
   CheckpointWriter checkpoints_;
   CheckpointHead head_;
   StepReport report_;                      // of the last step
+  PassTimes recording_;                    // what the steps wait for
   double row_due_, frame_due_, kept_due_;  // s
   double wall_before_ = 0;                 // s
   Clock::time_point start_ = Clock::now();

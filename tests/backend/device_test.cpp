@@ -182,7 +182,15 @@ TEST_P(Device, TellsPlacesWithoutTheRest) {
     const std::vector<std::uint32_t> id(now.id.begin(), now.id.end());
     const std::vector<double> mass(now.mass.begin(), now.mass.end());
     EXPECT_EQ(position, backend->positions());
+    EXPECT_EQ(backend->fastest(), backend->extremes().speed);
+    Particles copy;
+    backend->copy_fluid(copy);
     EXPECT_EQ(position, backend->fluid().position);
+    EXPECT_EQ(copy.velocity, backend->fluid().velocity);
+    EXPECT_EQ(copy.pressure, backend->fluid().pressure);
+    copy = {};
+    backend->copy_fluid(copy);  // of what the host has by now
+    EXPECT_EQ(copy.position, position);
     EXPECT_EQ(id, backend->fluid().id);
     EXPECT_EQ(mass, backend->fluid().mass);
   }

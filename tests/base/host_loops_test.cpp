@@ -13,6 +13,14 @@ TEST(HostLoops, FewThingsAreDoneOnceEachAndMayThrow) {
     std::vector<int> done(50);
     over_few(done.size(), threads, [&](std::size_t i) { ++done[i]; });
     EXPECT_EQ(done, std::vector<int>(50, 1));
+    struct None {
+      void join(const None&) {}
+    };
+    EXPECT_THROW(blocked_sum<None>(5000, threads,
+                                   [](std::size_t i, None&) {
+                                     if (i == 4321) throw std::runtime_error("no room");
+                                   }),
+                 std::runtime_error);
     EXPECT_THROW(over_few(done.size(), threads,
                           [](std::size_t i) {
                             if (i % 7 == 3) throw std::runtime_error("no room");
@@ -21,8 +29,7 @@ TEST(HostLoops, FewThingsAreDoneOnceEachAndMayThrow) {
   }
 }
 
-// 1e-3 added 4000 times in one go or in blocks of 1024 rounds otherwise: blocks are as they are for
-// any number of threads.
+// Added in another order they round otherwise; blocks are as they are for any number of threads.
 TEST(HostLoops, SumsHaveTheSameBitsForAnyNumberOfThreads) {
   struct Sum {
     double value = 0;

@@ -104,6 +104,9 @@ TEST_F(Vtp, LargeArraysGoOverSeveralBlocks) {
     const std::vector<Vec3f> points(count);
     const VtpReader file = written({.points = points, .arrays = {{"a", 1, std::span(values)}}});
     EXPECT_EQ(file.array<float>("a"), values);
+    write_particles_vtp(folder_ / "three.vtp",
+                        {.points = points, .arrays = {{"a", 1, std::span(values)}}}, 3);
+    EXPECT_EQ(folder_.read("three.vtp"), folder_.read("f.vtp"));
   }
 }
 

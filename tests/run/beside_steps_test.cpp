@@ -80,6 +80,7 @@ TEST_F(BesideSteps, MapsAreTheSame) {
   double greatest = 0;
   ASSERT_EQ(beside.values.size(), at_once.values.size());
   for (std::size_t cell = 0; cell < beside.values.size(); ++cell) {
+    ASSERT_EQ(std::isnan(beside.values[cell]), std::isnan(at_once.values[cell]));
     if (std::isnan(at_once.values[cell])) continue;
     greatest = std::max(greatest, at_once.values[cell]);
     EXPECT_EQ(beside.values[cell], at_once.values[cell]);

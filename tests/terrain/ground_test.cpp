@@ -165,6 +165,29 @@ TEST(Ground, FollowsTheFlowAndKeepsFields) {
   EXPECT_LT(kept, boundary.size());
 }
 
+TEST(Ground, IsTheSameForAnyNumberOfThreads) {
+  const Surface surface = rough_hill();
+  const GroundSettings settings{0.5, 2, 1000};
+  Ground one(surface, {}, settings), three(surface, {}, settings);
+  Random random;
+  for (const double shift : {0.0, 6.0}) {
+    std::vector<Vec3d> fluid;
+    for (int k = 0; k < 5000; ++k)
+      fluid.push_back({10 * random() - 10 + shift, 10 * random() - 10, 0});
+    const BoundaryChange a = one.follow(fluid, 1.5, 1), b = three.follow(fluid, 1.5, 3);
+    EXPECT_GT(a.made.size(), 500U);
+    EXPECT_EQ(a.made.position, b.made.position);
+    EXPECT_EQ(a.made.mass, b.made.mass);
+    EXPECT_EQ(a.made.id, b.made.id);
+    EXPECT_EQ(a.dropped.empty(), shift == 0);
+    ASSERT_EQ(a.dropped.size(), b.dropped.size());
+    for (std::size_t k = 0; k < a.dropped.size(); ++k) {
+      EXPECT_EQ(a.dropped[k].first, b.dropped[k].first);
+      EXPECT_EQ(a.dropped[k].count, b.dropped[k].count);
+    }
+  }
+}
+
 TEST(Ground, MakesAllTilesWithinReach) {
   const Surface surface = rough_hill();
   const GroundSettings settings{0.5, 2, 1000};

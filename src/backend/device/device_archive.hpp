@@ -32,6 +32,7 @@ void DeviceBackend<Executor>::list_again(std::vector<Vec3d>& listed,
   fluid().position.swap(listed);
   find_neighbours();
   on_.upload(listed, fluid_.position);
+  fluid_changed();
   on_.upload(density, boundary_.density);
   body_loads_.restore(loads);
   if (awake.size() + driven_.size() > fluid_.size())

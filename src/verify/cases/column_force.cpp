@@ -141,10 +141,10 @@ Verdict verify_column_force(const VerifySettings& settings) {
     // The first blow is that of a tongue, a few particles thin at dp 0.01 m.
     runs = {{.spacing = 0.01, .claims_blow = false},
             {.spacing = 0.0071, .end = 0.5, .claims_flow = false}};
-    if (settings.effort == Effort::extended) runs.push_back({0.006});
   } else {
     runs = {{0.02}};  // the explicit method takes ten times as long
   }
+  if (settings.effort == Effort::extended) runs.push_back({0.006});
   if (!settings.is_quick())
     runs.push_back({.spacing = runs.front().spacing,
                     .end = 0.65,
