@@ -15,13 +15,13 @@ class Background {
   /// Waits; what the last piece threw is lost then.
   ~Background() = default;
 
-  /// Waits for the piece before, as settle() does, and starts another, or does it. What it works on
-  /// must stay as it is until then.
+  /// Settles the piece before, then starts this one; does it at once where there is no thread to be
+  /// had. What it works on must stay as it is until the next settle() or start().
   void start(const std::function<void()>& work) {
     settle();
     try {
       running_ = std::async(std::launch::async, work);
-    } catch (const std::system_error&) {  // there is no thread to be had
+    } catch (const std::system_error&) {
       work();
     }
   }
