@@ -81,21 +81,21 @@ asan:
 	@sh tools/install_packages.sh
 	cmake --preset asan
 	cmake --build --preset asan --target quick_tests
-	ctest --preset asan -j 2 -E '$(LONG_TESTS)'
+	ctest --preset asan -j 2 -E '$(LONG_TESTS)' -LE web
 
-# The tests that compare numbers of threads.
+# The tests of what runs on threads, most of them at several numbers of these.
 tsan:
 	@sh tools/install_packages.sh
 	cmake --preset tsan
-	cmake --build --preset tsan --target test_backend test_solver
-	ctest --preset tsan -j 2 -R Threads
+	cmake --build --preset tsan --target test_base test_backend test_solver
+	ctest --preset tsan -j 2 -R 'Threads|^base[.](Background|HostLoops)'
 
 FUZZ_SECONDS = 60
 fuzz:
 	@sh tools/install_packages.sh
-	cmake --preset fuzz
-	cmake --build --preset fuzz
-	sh tests/fuzz/run.sh build/fuzz/tests/fuzz $(FUZZ_SECONDS) build/fuzz/found
+	cmake --preset asan
+	cmake --build --preset asan --target fuzz_targets
+	sh tests/fuzz/run.sh build/asan/tests/fuzz $(FUZZ_SECONDS) build/fuzz
 
 format:
 	@sh tools/install_packages.sh

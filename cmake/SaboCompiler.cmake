@@ -28,3 +28,13 @@ if(SABO_SANITIZE)
   sabo_cxx_options(-fsanitize=${SABO_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(sabo_options INTERFACE -fsanitize=${SABO_SANITIZE})
 endif()
+
+# For builds by clang, where it halves the time of a small file: GCC takes longer with such headers.
+# The release build goes without, so each file still names what it includes.
+option(SABO_PRECOMPILE "Compile the headers that most files include once for each target" OFF)
+function(sabo_precompile target)
+  if(SABO_PRECOMPILE)
+    target_precompile_headers(${target} PRIVATE <algorithm> <cmath> <filesystem> <functional> <map>
+      <memory> <optional> <string> <variant> <vector> ${ARGN})
+  endif()
+endfunction()
