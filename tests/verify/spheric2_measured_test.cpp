@@ -14,7 +14,8 @@
 namespace sabo::spheric2_measured {
 namespace {
 
-constexpr int p1_column = 1, p3_column = 3, h1_column = 9, h2_column = 10, h4_column = 12;
+constexpr int p1_column = 1, p3_column = 3, h1_column = 9, h2_column = 10, h3_column = 11,
+              h4_column = 12;
 
 class Measured : public testing::Test {
  protected:
@@ -73,6 +74,7 @@ TEST_F(Measured, HeightsAreMeansOfTheSamples) {
     const double time = height_step * static_cast<double>(k);
     EXPECT_NEAR(measured_h1[k], mean(h1_column, time, 0.05), 0.002) << time;
     EXPECT_NEAR(measured_h2[k], mean(h2_column, time, 0.05), 0.002) << time;
+    EXPECT_NEAR(measured_h3[k], mean(h3_column, time, 0.05), 0.002) << time;
     EXPECT_NEAR(measured_h4[k], mean(h4_column, time, 0.05), 0.002) << time;
   }
 }

@@ -101,8 +101,11 @@ SABO_HD inline double held_to_places(const FlowView& flow, double density, std::
   const double slack = flow.model.crowding_tolerance * rho0;
   const double placed =
       rho0 * filling.share * flow.half_space->completion(norm(filling.gradient) / filling.share);
-  // A fluid that tears does not remember by how much.
-  const double least = placed + (1 - borne) * larger(rho0 - placed, 0.0) - slack;
+  // A fluid that tears does not remember by how much, and up to rho0, where it does not press, it
+  // need not catch up: in two streams that pass each other its density would fall all the time.
+  const double torn = 1 - borne;
+  const double least = placed + torn * larger(rho0 - placed, 0.0) - slack;
+  density += torn * larger(smaller(least, rho0) - density, 0.0);
   if (density < least) return density + catch_up * (least - density);
   const double most = larger(rho0, placed + slack);
   return density > most ? density + catch_up * (most - density) : density;

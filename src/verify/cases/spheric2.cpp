@@ -30,12 +30,13 @@ constexpr Box reservoir{{1.992, 0, 0}, {3.22, 1, 0.55}};
 constexpr Box obstacle{{0.6635, 0.2955, 0}, {0.8245, 0.6985, 0.161}};
 constexpr std::array probes{Vec3d{0.8245, 0.471, 0.021}, Vec3d{0.8245, 0.471, 0.061},
                             Vec3d{0.8245, 0.471, 0.101}, Vec3d{0.8245, 0.471, 0.141}};
-constexpr std::array gauges{Vec3d{1.488, 0.5, 0}, Vec3d{0.992, 0.5, 0}, Vec3d{2.638, 0.5, 0}};
+constexpr std::array gauges{Vec3d{1.488, 0.5, 0}, Vec3d{0.992, 0.5, 0}, Vec3d{0.496, 0.5, 0},
+                            Vec3d{2.638, 0.5, 0}};
 constexpr double fastest = 4;  // m/s
 
 struct Readings {
   std::array<TimeIntegral, probes.size()> pressure;  // Pa s
-  std::array<TimeIntegral, gauges.size()> height;    // m s, of H1, H2 and H4
+  std::array<TimeIntegral, gauges.size()> height;    // m s
 };
 
 struct Run {
@@ -128,7 +129,7 @@ void add_claims(const Readings& r, const Run& run, Verdict& verdict) {
   add(Claim::at_most(what("H2, mean error to 3 s"), "m",
                      height_error(r.height[1], measured_h2, run.end), 0.02));
   add(Claim::at_most(what("H4, mean error to 3 s"), "m",
-                     height_error(r.height[2], measured_h4, run.end), 0.02));
+                     height_error(r.height[3], measured_h4, run.end), 0.02));
   const FaceMeans means = face_means_of(r, 0.5, 1);
   add(Claim::told(what("P1 to P4, mean over 0.5-1.0 s"), "Pa", mean_of(means),
                   mean_of(face_means)));
@@ -136,6 +137,8 @@ void add_claims(const Readings& r, const Run& run, Verdict& verdict) {
     add(Claim::told(what(fmt::format("P{}, mean over 0.5-1.0 s", k + 1)), "Pa", means[k],
                     face_means[k]));
   add(Claim::told(what("H1 at 0.5 s"), "m", r.height[0].around(0.5, 0.05), measured_h1[5]));
+  add(Claim::told(what("H2 at 2.0 s"), "m", r.height[1].around(2, 0.05), measured_h2[20]));
+  add(Claim::told(what("H3 at 1.0 s"), "m", r.height[2].around(1, 0.05), measured_h3[10]));
 }
 
 /// The same of a run with a gate, which has its own zero of time: times count from the arrival.
@@ -160,6 +163,7 @@ struct Charts {
   LineChart p3{"Pressure on the box, P3", "time [s]", "pressure [Pa]"};
   LineChart h1{"Water next to the gate, H1", "time [s]", "height [m]"};
   LineChart h2{"Water before the box, H2", "time [s]", "height [m]"};
+  LineChart h3{"Water behind the box, H3", "time [s]", "height [m]"};
   LineChart h4{"Water in the reservoir, H4", "time [s]", "height [m]"};
 
   void add(const Readings& r, const Run& run) {
@@ -179,7 +183,8 @@ struct Charts {
     draw(p3, r.pressure[2], pressure_step, struck);
     draw(h1, r.height[0], 0.05, run.end);
     draw(h2, r.height[1], 0.05, run.end);
-    draw(h4, r.height[2], 0.05, run.end);
+    draw(h3, r.height[2], 0.05, run.end);
+    draw(h4, r.height[3], 0.05, run.end);
   }
 
   std::vector<LineChart> with_experiment() && {
@@ -191,8 +196,10 @@ struct Charts {
     draw(p3, pressure_start, pressure_step, measured_p3);
     draw(h1, 0, height_step, measured_h1);
     draw(h2, 0, height_step, measured_h2);
+    draw(h3, 0, height_step, measured_h3);
     draw(h4, 0, height_step, measured_h4);
-    return {std::move(p1), std::move(p3), std::move(h1), std::move(h2), std::move(h4)};
+    return {std::move(p1), std::move(p3), std::move(h1),
+            std::move(h2), std::move(h3), std::move(h4)};
   }
 };
 
@@ -221,7 +228,7 @@ Verdict verify_spheric2(const VerifySettings& settings) {
         Claim::within(fmt::format("dp {:g} m: P1 passes a quarter of its peak at", coarse), "s",
                       arrival(r), p1_arrival, 0.06),
         Claim::at_most(fmt::format("dp {:g} m: H4, mean error to 1 s", coarse), "m",
-                       height_error(r.height[2], measured_h4, end), 0.03)};
+                       height_error(r.height[3], measured_h4, end), 0.03)};
   } else {
     const bool is_long = settings.effort == Effort::extended;
     const Run sudden{full, end}, finer{fine, end};
@@ -262,7 +269,16 @@ Verdict verify_spheric2(const VerifySettings& settings) {
       "tenth of P1 more from each to the next. Measured are 0.94, 0.95 and 0.81. No stream has "
       "those, however deep: without bounds and weight (Kirchhoff) it is 0.97, 0.90 and 0.71. What "
       "pressed on the probes under the edge, while those on top of the box were dry, is not known;"
-      " at rest, after 4 s, they differ by the weight of the water, to 0.1 kPa"};
+      " at rest, after 4 s, they differ by the weight of the water, to 0.1 kPa",
+      "H2 too high around 2 s: what returns from the far wall stands 0.06 m higher before the box "
+      "than measured and comes to H1 0.1 s later, with the same volume of water: the measured H1, "
+      "H2 and H3 are then all 0.29 m. It starts late: behind the box (H3) water was measured from "
+      "0.95 s on, simulated from 1.1 s. Until then the simulated jets go up to 3 m, 1.5 % of the "
+      "water is above 0.6 m, which is 0.02 m of the depth behind the box; air, which would break "
+      "such jets up, is not simulated. Mean errors are 0.019 to 0.024 m with 0.045, 0.036, 0.0275 "
+      "and 0.0183 m; the drag of a smooth floor (voellmy, 3300 m/s²) or α 0.1 change them by 0.001 "
+      "m, and the gate delays all of it. 0.01 m of it is the gauge: at 2 s the columns of the tank "
+      "hold 3 % more than the water, as voids in torn water count"};
   return verdict;
 }
 
