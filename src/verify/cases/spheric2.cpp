@@ -270,15 +270,15 @@ Verdict verify_spheric2(const VerifySettings& settings) {
       "those, however deep: without bounds and weight (Kirchhoff) it is 0.97, 0.90 and 0.71. What "
       "pressed on the probes under the edge, while those on top of the box were dry, is not known;"
       " at rest, after 4 s, they differ by the weight of the water, to 0.1 kPa",
-      "H2 too high around 2 s: what returns from the far wall stands 0.06 m higher before the box "
-      "than measured and comes to H1 0.1 s later, with the same volume of water: the measured H1, "
-      "H2 and H3 are then all 0.29 m. It starts late: behind the box (H3) water was measured from "
-      "0.95 s on, simulated from 1.1 s. Until then the simulated jets go up to 3 m, 1.5 % of the "
-      "water is above 0.6 m, which is 0.02 m of the depth behind the box; air, which would break "
-      "such jets up, is not simulated. Mean errors are 0.021 to 0.026 m with 0.045, 0.036, 0.0275 "
-      "and 0.0183 m; the drag of a smooth floor (voellmy, 3300 m/s²) or α 0.1 change them by 0.001 "
-      "m, and the gate delays all of it. 0.01 m of it is the gauge: at 2 s the columns of the tank "
-      "hold 3 % more than the water, as voids in torn water count"};
+      "H2 too high around 2 s: what returns from the far wall stands 0.06 m higher before the "
+      "box than measured, with the same volume of water: the measured H1, H2 and H3 are then "
+      "all 0.29 m. It starts late: behind the box (H3) water was measured from 0.95 s on, "
+      "simulated from 1.1 s. Until then the simulated jets go up to 3 m, 1.5 % of the water is "
+      "above 0.6 m, which is 0.02 m of the depth behind the box; air, which would break such "
+      "jets up, is not simulated. Mean errors are 0.021 to 0.026 m with 0.045, 0.036, 0.0275 "
+      "and 0.0183 m; the drag of a smooth floor (voellmy, 3300 m/s²) or α 0.1 change them by "
+      "0.001 m, and the gate delays all of it. 0.01 m of it is the gauge: at 2 s the columns of "
+      "the tank hold 3 % more than the water, as voids in torn water count"};
   return verdict;
 }
 
