@@ -5,7 +5,7 @@
 DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
 # Long runs; the sanitizers make them ten times longer and find nothing new in them. Those that
-# CMake calls long are not built.
+# CMake calls long are not built. The pages in a browser, labelled web, take minutes as well.
 LONG_TESTS = _NOT_BUILT$$|^verify[.]All|^tutorial$$|^faults
 
 help:

@@ -64,8 +64,7 @@ TEST_P(Tension, IsBorneInsideAndAtTheSurfaceAsIsAsked) {
 }
 
 TEST_P(Tension, TornFluidKeepsNearItsDensity) {
-  // Two rows, both at the surface, drawn to 1.35 times their length: 3 % below is the least there
-  // is.
+  // Two rows, both at the surface, drawn to 1.3 times their length: 3 % below is the least.
   const Drawn torn = drawn(GetParam(), false, 0.3, 2);
   EXPECT_NEAR(torn.lowest_density, 1000 * (1 - 0.03), 1e-9 * 1000);
 }

@@ -273,7 +273,7 @@ Verdict verify_spheric2(const VerifySettings& settings) {
       "H2 too high around 2 s: what returns from the far wall stands 0.06 m higher before the "
       "box than measured, with the same volume of water: the measured H1, H2 and H3 are then "
       "all 0.29 m. It starts late: behind the box (H3) water was measured from 0.95 s on, "
-      "simulated from 1.1 s. Until then the simulated jets go up to 3 m, 1.5 % of the water is "
+      "simulated from 1.1 s. The simulated jets go up to 3 m, and at 1 s 2 % of the water is "
       "above 0.6 m, which is 0.02 m of the depth behind the box; air, which would break such "
       "jets up, is not simulated. Mean errors are 0.021 to 0.026 m with 0.045, 0.036, 0.0275 "
       "and 0.0183 m; the drag of a smooth floor (voellmy, 3300 m/s²) or α 0.1 change them by "
