@@ -97,6 +97,7 @@ int verify(const VerifyOptions& options) {
     settings.method = method;
     settings.effort = effort;
     settings.threads = options.threads;
+    settings.again = options.again;
     settings.folder = options.folder;
     std::optional<VerifyRecord> record;
     if (!options.again) record = read_record(options.folder, verification->name, method, effort);

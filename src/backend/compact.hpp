@@ -16,13 +16,11 @@ struct MarkKept {
   SABO_HD void operator()(std::size_t i) const { marks[i] = i < count && keep(i) ? 1 : 0; }
 };
 
-template <class Keep>
 struct WriteKept {
-  Keep keep;
   const std::uint64_t* places;
   std::uint32_t* rows;
   SABO_HD void operator()(std::size_t i) const {
-    if (keep(i)) rows[places[i]] = static_cast<std::uint32_t>(i);
+    if (places[i + 1] != places[i]) rows[places[i]] = static_cast<std::uint32_t>(i);
   }
 };
 
@@ -35,7 +33,7 @@ void list_kept(const Executor& on, std::size_t count, const Keep& keep,
   on.for_each(count + 1, MarkKept<Keep>{keep, count, places.data()});
   on.scan(places);
   on.reserve(rows, on.last(places));
-  on.for_each(count, WriteKept<Keep>{keep, places.data(), rows.data()});
+  on.for_each(count, WriteKept{places.data(), rows.data()});
 }
 
 }  // namespace sabo

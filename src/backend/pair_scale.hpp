@@ -62,8 +62,6 @@ struct PairScale {
     alpha_c0_h = float(model.artificial_viscosity * c0 * model.h);
   }
 
-  static Vec3f in_single(const Vec3d& v) { return {float(v.x), float(v.y), float(v.z)}; }
-
   /// From the origin of the central force to integer positions, m.
   SABO_HD Vec3f from_origin(std::int32_t x, std::int32_t y, std::int32_t z) const {
     return unit * Vec3f{float(x), float(y), float(z)} - central_origin;

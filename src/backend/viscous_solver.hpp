@@ -166,17 +166,18 @@ class ViscousSolver {
     const double enough = std::max(tolerance * tolerance * static_cast<double>(rows.count),
                                    least_share * least_share * sums.largest());
     residual_sum = sums.residual;
+    Dot former;  // energy of the residual before the last one
     while (sums.largest() > enough) {
       if (outcome.iterations == most) {
         outcome.converged = false;
         return outcome;
       }
+      if (outcome.iterations > 0)
+        on.for_each(rows.count, TurnSolve<T>{vectors, ratios<T>(sums.energy, former)});
       multiply();
       on.for_each(1, FindLength<T>{sums.energy, curvature.data(), length_.data()});
-      const auto next =
-          on.template reduce<ResidualSums>(rows.count, AdvanceSolve<T>{vectors, length_.data()});
-      on.for_each(rows.count, TurnSolve<T>{vectors, ratios<T>(next.energy, sums.energy)});
-      sums = next;
+      former = sums.energy;
+      sums = on.template reduce<ResidualSums>(rows.count, AdvanceSolve<T>{vectors, length_.data()});
       residual_sum = sums.residual;
       ++outcome.iterations;
     }

@@ -40,6 +40,9 @@ struct Vec3 {
 using Vec3d = Vec3<double>;
 using Vec3f = Vec3<float>;
 
+SABO_HD constexpr Vec3f in_single(const Vec3d& v) { return {float(v.x), float(v.y), float(v.z)}; }
+SABO_HD constexpr Vec3d in_double(const Vec3f& v) { return {v.x, v.y, v.z}; }
+
 template <class T>
 SABO_HD constexpr T dot(const Vec3<T>& a, const Vec3<T>& b) {
   return a.x * b.x + a.y * b.y + a.z * b.z;

@@ -130,21 +130,22 @@ CostSample measure(Flow& flow, double duration) {
   const auto seconds_since = [](Clock::time_point start) {
     return std::chrono::duration<double>(Clock::now() - start).count();
   };
-  const PassTimes& times = flow.backend().pass_times();
+  // Asked for anew each time: a backend may count passes only then.
+  const auto lists = [&] { return list_time(flow.backend().pass_times()); };
   // The first step does not count: it touches all memory anew.
   StepReport report = flow.stepper().step();
   std::vector<double> steps;  // without their lists, s
   const auto start = Clock::now();
   do {
     const auto before = Clock::now();
-    const double lists = list_time(times).all;
+    const double before_step = lists().all;
     report = flow.stepper().step();
-    steps.push_back(seconds_since(before) - (list_time(times).all - lists));
+    steps.push_back(seconds_since(before) - (lists().all - before_step));
   } while (seconds_since(start) < wall_limit &&
            flow.stepper().time() < share_of_duration * duration);
 
   CostSample sample;
-  sample.list_seconds = list_time(times).one;
+  sample.list_seconds = lists().one;
   sample.step_seconds = lower_quartile(steps);
   sample.fluid = flow.backend().fluid_count();
   sample.boundary = flow.backend().boundary_count();

@@ -205,8 +205,9 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
     tell_paper_step(preview, c, model);
 }
 
-void tell_card_memory(Preview& preview, const Case& c, const Scene& scene, const FlowModel& model) {
-  const double needed = expected_card_memory(model, c.numerics.method, scene.release.size());
+void tell_card_memory(Preview& preview, Method method, std::size_t particles,
+                      const FlowModel& model) {
+  const double needed = expected_card_memory(model, method, particles);
   const std::string text = fmt::format("about {:.0f} MB of the graphics card", needed / 1e6);
   if (const std::string fault = missing_backend(BackendKind::cuda); !fault.empty()) {
     preview.line("Memory", text);
@@ -244,7 +245,8 @@ std::string preview_text(const Case& c, const Scene& scene, const std::string& t
                                      expected_memory(model, c.numerics.method, particles,
                                                      scene.surface->elevation().grid.size()) /
                                          1e6));
-  if (c.numerics.backend == BackendKind::cuda) tell_card_memory(preview, c, scene, model);
+  if (c.numerics.backend == BackendKind::cuda)
+    tell_card_memory(preview, c.numerics.method, particles, model);
   if (!time.empty()) preview.line("Time", time);
   return preview.text();
 }

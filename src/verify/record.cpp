@@ -94,7 +94,8 @@ VerifyRecord run_verification(const Verification& verification, const VerifySett
   VerifyRecord record{std::string(verification.name), settings.method, settings.effort};
   record.date = utc_now();
   record.version = build_version;
-  record.machine = cpu_name();
+  record.machine = fmt::format("{} ({} thread{})", cpu_name(), settings.threads,
+                               settings.threads == 1 ? "" : "s");
   record.is_current = true;
   const auto begin = Clock::now();
   try {

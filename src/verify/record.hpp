@@ -19,7 +19,7 @@ struct VerifyRecord {
   double seconds = 0;                      ///< that it took
   std::string date = {};                   ///< UTC, ISO 8601
   std::string version = {};                ///< of the program that ran it
-  std::string machine = {};                ///< its processor
+  std::string machine = {};                ///< its processor, and how many threads ran it
   bool is_current = false;                 ///< ran by this very program
   std::vector<std::string> pictures = {};  ///< files of the folder
 

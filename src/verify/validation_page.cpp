@@ -12,6 +12,19 @@ namespace {
 /// The records of one case, one for each method.
 using CaseRecords = std::vector<const VerifyRecord*>;
 
+/// How to read the page.
+constexpr const char* legend =
+    "Each row of a table below is a number that was measured. A gate says how it must lie to what "
+    "is expected; one outside **fails**, and a remark below the table tells the cause. \"Beside\" "
+    "is no gate: a number of others, or of another setting, to compare with. Rows that ask for at "
+    "least so large an error are controls: there the material or a term is wrong on purpose, and "
+    "the band must notice.\n\n`fast` is the default of `sabo`, with its own defaults, among them "
+    "the shifting of particles in the inside of a flow. `paper` is the explicit method of the "
+    "paper in its accurate setting, not in its default, which reads the paper literally: "
+    "`viscous_operator = \"morris\"`, `boundary_stress = \"mirror\"`, `boundary_pressure = "
+    "\"extrapolated\"`, `diffusion_form = \"fourtakas\"`. Its explicit steps are a hundred times "
+    "shorter in a stiff material, so it runs the cases that take minutes, some of them coarser.\n";
+
 /// Text of a cell: a bar would end it.
 std::string cell(const std::string& text) {
   std::string escaped;
@@ -75,7 +88,8 @@ std::string section(const CaseRecords& records) {
   const Verification& verification = verification_of(*records.front());
   std::string text = fmt::format("\n## {}\n\n{}. Expected: {}.\n\n{}", verification.name,
                                  verification.title, verification.reference, claims_table(records));
-  if (!verification.others.empty()) text += fmt::format("\nOthers: {}.\n", verification.others);
+  if (!verification.others.empty())
+    text += fmt::format("\nOther codes: {}.\n", verification.others);
   for (const VerifyRecord* record : records)
     for (const std::string& picture : record->pictures)
       text += fmt::format("\n![{} by method {}](./{})\n", verification.title,
@@ -94,9 +108,9 @@ std::string section(const CaseRecords& records) {
 std::string validation_markdown(const std::vector<VerifyRecord>& records) {
   std::string text = fmt::format(
       "# Verification and validation\n\nWritten by `sabo verify` on {}. {} of {} cases pass, each "
-      "method counted.\n\n{}",
+      "method counted.\n\n{}\n{}",
       fmt::join(machines(records), ", "), std::ranges::count_if(records, &VerifyRecord::holds),
-      records.size(), overview(records));
+      records.size(), legend, overview(records));
   for (const Verification& verification : verifications()) {
     CaseRecords of_case;
     for (const VerifyRecord& record : records)

@@ -27,6 +27,7 @@ struct VerifySettings {
   Method method = Method::fast;
   Effort effort = Effort::full;
   int threads = 1;
+  bool again = false;                            ///< also what a run folder of this version holds
   std::filesystem::path folder = "sabo-verify";  ///< for the run folders of cases that make some
   /// Told now and then what share of the work is done; may throw to end the case early.
   std::function<void(double share)> on_progress = [](double) {};

@@ -83,11 +83,13 @@ TEST_P(Device, MovesAFlowAsTheProcessorDoes) {
 // As a card with few particles, where several threads share each row of pairs.
 TEST(SharedRows, MoveAFlowAsWholeOnesDo) {
   for (const Method method : test::both_methods) {
-    DeviceBackendOnHost sharing(collapsing(), HostExecutor(1, 4));
     DeviceBackendOnHost whole(collapsing());
     const State expected = collapsed(whole, method, 60);
-    for (const auto& [id, x] : collapsed(sharing, method, 60))
-      EXPECT_LT(norm(expected.at(id).first - x.first), 2e-4 * 0.1);
+    for (const std::uint32_t shares : {2u, 8u, 32u}) {
+      DeviceBackendOnHost sharing(collapsing(), HostExecutor(1, shares));
+      for (const auto& [id, x] : collapsed(sharing, method, 60))
+        EXPECT_LT(norm(expected.at(id).first - x.first), 2e-4 * 0.1) << shares;
+    }
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include "support/folders.hpp"
 #include "support/temporary_folder.hpp"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -14,6 +15,7 @@
 #include "run/channel.hpp"
 #include "run/finished_run.hpp"
 #include "run/flow.hpp"
+#include "run/memory_estimate.hpp"
 #include "run/preview.hpp"
 #include "terrain/bilinear.hpp"
 
@@ -229,6 +231,19 @@ TEST(InflowRun, HasABalanceToTheLastParticle) {
   const Raster ground = RasterFile(run.folder / "maps" / "ground.tif", "map").read();
   for (const Vec3d& vertex : wall->line.vertices)
     EXPECT_NEAR(vertex.z, bilinear(ground, vertex.x, vertex.y, Raster::no_data) + 4, 0.01);
+}
+
+TEST(Inflow, IsCountedInTheMemoryOfACard) {
+  Case c = case_of(inflow + steady);
+  c.numerics.backend = BackendKind::cuda;
+  const Scene scene = scene_of(c);
+  EXPECT_EQ(scene.release.size(), 0u);
+  const double needed =
+      expected_card_memory(flow_model(c.material, c.numerics, scene.greatest_depth()),
+                           c.numerics.method, scene.particles_until(c.run.duration));
+  EXPECT_THAT(preview_text(c, scene, ""),
+              HasSubstr(fmt::format("about {:.0f} MB of the graphics card", needed / 1e6)));
+  EXPECT_GT(needed, 1e6);
 }
 
 }  // namespace

@@ -1,6 +1,10 @@
 // The exact solutions that cases compare with, against numbers from elsewhere.
 
+#include "verify/elliptic_drop.hpp"
+#include "verify/jet_pressure.hpp"
 #include "verify/shear_flow.hpp"
+#include "verify/sliding_dam_break.hpp"
+#include "verify/slump_at_rest.hpp"
 #include "verify/startup_solution.hpp"
 #include <gtest/gtest.h>
 
@@ -64,6 +68,56 @@ TEST(ShearFlow, HasTheSurfaceSpeedsOfTheIncline) {
     EXPECT_EQ(flow(-1), 0);
     EXPECT_EQ(flow(1), flow.top());
   }
+}
+
+/// A square column of 0.1 m: half lengths and heights in the middle computed by another program.
+TEST(SlumpAtRest, HasTheLengthAndHeightOfItsVolume) {
+  const struct {
+    double b, length, height;
+  } rows[] = {{0.005, 0.240, 0.0575}, {0.001, 0.458, 0.0319}};
+  for (const auto& row : rows) {
+    const SlumpAtRest slump{row.b};
+    const double length = slump.length(0.01);
+    EXPECT_NEAR(length, row.length, 5e-4);
+    EXPECT_NEAR(slump.height(length), row.height, 5e-5);
+    EXPECT_NEAR(slump.height(0), slump.front(), 1e-15);
+    double volume = 0;
+    for (int k = 0; k < 1000; ++k)
+      volume += slump.height((k + 0.5) / 1000 * length) / 1000 * length;
+    EXPECT_NEAR(volume, 0.01, 1e-8);
+  }
+}
+
+TEST(SlidingDamBreak, RunsAheadOfRittersByWhatFrictionLeaves) {
+  const double radian = 0.017453292519943295;
+  const SlidingDamBreak slope{9.81, 30 * radian, 25 * radian, 0.5};
+  EXPECT_NEAR(slope.place(0.1, 0), 0.41692341, 1e-8);  // 2 c0 t + m t^2 / 2, by another program
+  EXPECT_NEAR(slope.place(1, 0), 2 * 2.06103 + 0.94339 / 2, 2e-5);
+  const SlidingDamBreak ritter{9.81, 0, 0, 0.5};
+  EXPECT_NEAR(ritter.place(3, 4.0 / 9 * 0.5), 0, 1e-12) << "the depth at the dam stays 4/9 h0";
+  EXPECT_NEAR(ritter.place(3, 0.5), -3 * std::sqrt(9.81 * 0.5), 1e-12);
+}
+
+/// Axes and period computed by another program.
+TEST(EllipticDrop, IsDrawnOutAndComesBack) {
+  EllipticDrop drawn{100, 0};
+  for (int k = 0; k < 76; ++k) drawn.advance(1e-4);
+  EXPECT_NEAR(drawn.a, 1.9445, 5e-5);
+  EXPECT_NEAR(drawn.b, 0.5143, 5e-5);
+  EllipticDrop swinging{0.5, 1};
+  EXPECT_NEAR(swinging.pressure(), 0.625, 1e-15);  // (0.25 + 1) / 2
+  for (int k = 0; k < 1000; ++k) swinging.advance(4.567374e-3);
+  EXPECT_NEAR(swinging.sigma, 0.5, 1e-6);
+  EXPECT_NEAR(swinging.a, 1, 1e-6);
+  EXPECT_NEAR(swinging.a * swinging.b, 1, 1e-9);
+}
+
+TEST(JetPressure, AddsUpToTheMomentumOfTheJet) {
+  EXPECT_NEAR(jet_pressure(0), 1, 1e-12);
+  EXPECT_NEAR(jet_pressure(0.644867), 0.75, 1e-6);  // q = 1/2: 2/pi (artanh 1/2 + arctan 1/2)
+  double sum = 0;
+  for (double x = 0.005; x < 8; x += 0.01) sum += 2 * 0.01 * jet_pressure(x);
+  EXPECT_NEAR(sum, 2, 1e-4);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ void CpuBackend::wall_pressure() {
   // Until their pressure is known the records of boundary particles are of use for their place.
   const auto pack_wall = [&](std::size_t at) { flow_[at] = pack.flow(flow.boundary, at - fluids); };
   over_rows(touched_walls_, threads(), pack_wall);
-  const Vec3f gravity{float(model_.gravity.x), float(model_.gravity.y), float(model_.gravity.z)};
+  const Vec3f gravity = in_single(model_.gravity);
   parallel_blocks(touched_walls_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.wall_pressure({&scale_, &list_, flow_.data(), touched_walls_.data(), range.first,
                            range.last, gravity, wall_pressure_.data(), wall_weight_.data()});

@@ -1,7 +1,6 @@
 #include <vector>
 
 #include "backend/cuda/card_moment.hpp"
-#include "backend/cuda/check_cuda.hpp"
 
 namespace sabo {
 namespace {
@@ -14,13 +13,14 @@ std::vector<cudaEvent_t>& idle_events() {
 
 }  // namespace
 
-CardMoment::CardMoment() {
+CardMoment::CardMoment() noexcept {
   std::vector<cudaEvent_t>& idle = idle_events();
-  if (idle.empty()) {
-    check_cuda(cudaEventCreate(&event_), "cudaEventCreate");
-  } else {
+  if (!idle.empty()) {
     event_ = idle.back();
     idle.pop_back();
+  } else if (cudaEventCreate(&event_) != cudaSuccess) {
+    event_ = nullptr;
+    return;
   }
   cudaEventRecord(event_);
 }
@@ -31,7 +31,7 @@ CardMoment::~CardMoment() {
 
 double CardMoment::seconds_since(const CardMoment& start) const {
   float milliseconds = 0;
-  if (cudaEventSynchronize(event_) != cudaSuccess ||
+  if (!event_ || !start.event_ || cudaEventSynchronize(event_) != cudaSuccess ||
       cudaEventElapsedTime(&milliseconds, start.event_, event_) != cudaSuccess)
     return 0;
   return 1e-3 * milliseconds;

@@ -6,10 +6,12 @@
 
 namespace sabo {
 
-/// A place in the order of the work on the card: the card notes the time when it gets there.
+/// A place in the order of the work on the card: the card notes the time when it gets there. Where
+/// the card has failed it is no place, and nothing is thrown: ends of passes are marked on the way
+/// out of what failed.
 class CardMoment {
  public:
-  CardMoment();
+  CardMoment() noexcept;
   CardMoment(CardMoment&& other) noexcept : event_(std::exchange(other.event_, nullptr)) {}
   CardMoment& operator=(CardMoment&& other) noexcept {
     std::swap(event_, other.event_);
@@ -17,7 +19,7 @@ class CardMoment {
   }
   ~CardMoment();
 
-  /// Waits until the card has been there. 0 where it has failed: the next pass says so.
+  /// Waits until the card has been there. 0 where it has failed: the next pass says why.
   double seconds_since(const CardMoment& start) const;
 
  private:

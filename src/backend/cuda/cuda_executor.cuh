@@ -40,7 +40,7 @@ __device__ Sum joined_in_block(const Sum& mine) {
 /// Blocks of a sum: enough to fill any card.
 inline constexpr std::size_t most_partial_sums = 2048;
 
-/// A partial sum for each block; the block that ends last joins them, in the order of the blocks.
+/// A partial sum for each block; the block that ends last joins them, always in the same order.
 template <class Sum, class F>
 __global__ void __launch_bounds__(block_size)
     sum_all(std::size_t count, const __grid_constant__ F f, Sum* partial, unsigned* blocks_done,
@@ -203,6 +203,7 @@ class CudaExecutor {
   template <class T>
   void upload(const std::vector<T>& from, DeviceArray<T>& to) const {
     to.resize(from.size());
+    if (from.empty()) return;
     move(from.data(), from.size(), to.data(), cudaMemcpyHostToDevice);
     wait("upload");  // `from` may be gone at once, and not every card has staged it by now
   }
@@ -256,6 +257,7 @@ class CudaExecutor {
   }
   template <class T>
   static void fetch(const T* from, std::size_t count, T* to) {
+    if (count == 0) return;
     move(from, count, to, cudaMemcpyDeviceToHost);
     wait("pass");
   }

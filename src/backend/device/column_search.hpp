@@ -7,6 +7,7 @@
 
 #include "backend/device/pair_rows.hpp"
 #include "backend/record_packer.hpp"
+#include "backend/sweeps/flow_sums.hpp"
 #include "base/bisect.hpp"
 #include "math/scalar.hpp"
 
@@ -121,12 +122,22 @@ struct ColumnSet {
           if (up > reach) break;
           const Vec3f d = unit * Vec3f{float(difference(other.x, at.x)),
                                        float(difference(other.y, at.y)), float(up)};
-          if (dot(d, d) < radius2) f(offset + k);
+          if (square_of(d) < radius2) f(offset + k);
         }
       }
   }
 
  private:
+  /// With the same bits wherever it is compiled in: pairs are counted by one kernel and written by
+  /// another, into just as much room.
+  SABO_HD static float square_of(const Vec3f& d) {
+#ifdef __CUDA_ARCH__
+    return __fmaf_rn(d.x, d.x, __fmaf_rn(d.y, d.y, __fmul_rn(d.z, d.z)));
+#else
+    return dot(d, d);
+#endif
+  }
+
   /// First of [low, high) that is not below a height.
   SABO_HD std::uint32_t above(std::uint32_t low, std::uint32_t high, std::int32_t height) const {
     return bisect(low, high, [&](std::uint32_t k) { return places[k].z < height; });
@@ -217,14 +228,26 @@ struct WritePairs {
   }
 };
 
-/// Adds up the numbers of neighbours.
+/// Pairs, counted from the side of the fluid and of the boundary.
 struct PairCount {
-  std::uint64_t pairs = 0;
-  SABO_HD void join(const PairCount& other) { pairs += other.pairs; }
+  std::uint64_t fluid = 0, boundary = 0;
+  SABO_HD void join(const PairCount& other) {
+    fluid += other.fluid;
+    boundary += other.boundary;
+  }
+  std::uint64_t all() const { return fluid + boundary; }
 };
 struct SumPairs {
   const std::uint32_t* count;
-  SABO_HD void operator()(std::size_t i, PairCount& sum) const { sum.pairs += count[i]; }
+  std::size_t fluid_count;
+  SABO_HD void operator()(std::size_t i, PairCount& sum) const {
+    (i < fluid_count ? sum.fluid : sum.boundary) += count[i];
+  }
+};
+struct SumPairsAt {
+  const std::uint32_t* rows;
+  const std::uint32_t* count;
+  SABO_HD void operator()(std::size_t k, Total& sum) const { sum.value += count[rows[k]]; }
 };
 
 }  // namespace sabo

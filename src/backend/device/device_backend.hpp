@@ -152,13 +152,14 @@ class DeviceBackend : public Backend {
     on_.for_each(1, EnterHeat<Heat>{heat.data(), dt, account_.data()});
   }
 
-  void set_scale();
+  CloudBox box_of(const DeviceParticles<Executor>& set) const;
+  void set_scale(CloudBox box, const CloudBox& boundary_box);
   struct SortedSet {
     ColumnLattice lattice;
     Array<std::uint32_t> first;
     Array<IntegerPlace> places;
   };
-  SortedSet sort(DeviceParticles<Executor>& set);
+  SortedSet sort(DeviceParticles<Executor>& set, const CloudBox& box);
   void list_pairs();
   double relative_way() const;
   Particles boundary_bodies() const;
@@ -193,7 +194,7 @@ class DeviceBackend : public Backend {
   Array<std::uint64_t> slice_starts_;
   Array<std::uint32_t> entries_, fluid_neighbours_, neighbours_;
   Array<Vec3d> list_position_;  // of the fluid when the list was made
-  std::uint64_t fluid_pairs_ = 0, boundary_pairs_ = 0;
+  PairCount pairs_, swept_;     // listed, and those of awake_ and touched_
   bool has_list_ = false;
   mutable std::optional<StateSums> state_sums_;  // until the fluid changes
 

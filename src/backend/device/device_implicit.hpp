@@ -13,7 +13,7 @@ namespace sabo {
 
 template <class Executor>
 void DeviceBackend<Executor>::wall_pressure() {
-  const Clock clock(*this, "wall pressure", boundary_pairs_);
+  const Clock clock(*this, "wall pressure", swept_.boundary);
   // Zero, since at the edge of the list there may be particles that no sweep packs.
   if (flow_records_.size() != all()) on_.zero(flow_records_, all());
   if (wall_weight_.size() != boundary_.size()) on_.reserve(wall_weight_, boundary_.size());
@@ -43,7 +43,7 @@ void DeviceBackend<Executor>::near_forces() {
   const bool needs_motion = model_.artificial_viscosity > 0 || model_.walls_move;
   if (needs_motion) pack_motion_beside();
   {
-    const Clock clock(*this, "force and matrix", fluid_pairs_);
+    const Clock clock(*this, "force and matrix", swept_.fluid);
     const auto sweep = [&]<bool with_motion>() {
       sweep_over(awake_,
                  NearForceSweep<with_motion>{pair_sums(), flow_records_.data(), motion_.data(),
@@ -71,7 +71,7 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double toleran
                                                        int most_iterations) {
   const Clock clock(*this, "viscous solve");
   const auto multiply = [&](const float* mass, const float* drag) {
-    pass_times_["viscous solve"].pairs += fluid_pairs_;
+    pass_times_["viscous solve"].pairs += swept_.fluid;
     auto& solver = velocity_step_.solver;
     const ViscousProduct product{
         pair_sums(), flow_records_.data(), awake_.data(), solver.direction.data(), mass, drag,
@@ -92,20 +92,20 @@ void DeviceBackend<Executor>::near_motion() {
   if (model_.diffusion_form == DiffusionForm::fourtakas)
     over_awake(FindDiffusionBackground{view()});
   {
-    const Clock clock(*this, "wall closing", boundary_pairs_);
+    const Clock clock(*this, "wall closing", swept_.boundary);
     pack_motion_beside();
     if (closings_.size() != boundary_.size()) on_.zero(closings_, boundary_.size());
     sweep_over(touched_, WallClosingSweep{pair_sums(), motion_.data(), view(), wall_weight_.data(),
                                           closings_.data()});
   }
-  const Clock clock(*this, "near motion", fluid_pairs_);
+  const Clock clock(*this, "near motion", swept_.fluid);
   sweep_over(awake_, NearMotionSweep{pair_sums(), motion_.data(), closings_.data(), view()});
 }
 
 /// Before the flow moves them: all sums of the step are of the places that particles have now.
 template <class Executor>
 void DeviceBackend<Executor>::shift_particles(double dt) {
-  const Clock clock(*this, "shifting", fluid_pairs_);
+  const Clock clock(*this, "shifting", swept_.fluid);
   if (!(dt > 0)) return;
   on_.zero(shift_, fluid_.size());
   const FlowView flow = view();

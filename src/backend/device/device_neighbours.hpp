@@ -137,16 +137,17 @@ void DeviceBackend<Executor>::find_neighbours() {
   forget_results();
   if (model_.periodic.any())
     on_.for_each(fluid_.size(), WrapPosition{model_.periodic, fluid_.position.data()});
-  set_scale();
+  const CloudBox fluid_box = box_of(fluid_), boundary_box = box_of(boundary_);
+  set_scale(fluid_box, boundary_box);
   {
     const Clock clock(*this, "sort");
-    sorted_fluid_ = sort(fluid_);
-    sorted_boundary_ = sort(boundary_);
+    sorted_fluid_ = sort(fluid_, fluid_box);
+    sorted_boundary_ = sort(boundary_, boundary_box);
   }
   {
     const Clock clock(*this, "neighbour search");
     list_pairs();
-    pass_times_["neighbour search"].pairs += fluid_pairs_ + boundary_pairs_;
+    pass_times_["neighbour search"].pairs += pairs_.all();
   }
   sorted_boundary_ = {};
   on_.release(sorted_fluid_.places);
@@ -215,9 +216,13 @@ void DeviceBackend<Executor>::need_implicit_arrays() {
 }
 
 template <class Executor>
-void DeviceBackend<Executor>::set_scale() {
-  CloudBox box = on_.template reduce<CloudBox>(fluid_.size(), FindBox{fluid_.position.data()});
-  box.join(on_.template reduce<CloudBox>(boundary_.size(), FindBox{boundary_.position.data()}));
+CloudBox DeviceBackend<Executor>::box_of(const DeviceParticles<Executor>& set) const {
+  return on_.template reduce<CloudBox>(set.size(), FindBox{set.position.data()});
+}
+
+template <class Executor>
+void DeviceBackend<Executor>::set_scale(CloudBox box, const CloudBox& boundary_box) {
+  box.join(boundary_box);
   if (box.is_empty()) box = {{}, {}};
   const Vec3d size = box.high - box.low;
   centre_ = 0.5 * (box.low + box.high);
@@ -227,10 +232,9 @@ void DeviceBackend<Executor>::set_scale() {
 
 template <class Executor>
 typename DeviceBackend<Executor>::SortedSet DeviceBackend<Executor>::sort(
-    DeviceParticles<Executor>& set) {
+    DeviceParticles<Executor>& set, const CloudBox& box) {
   SortedSet sorted;
   const std::size_t count = set.size();
-  const CloudBox box = on_.template reduce<CloudBox>(count, FindBox{set.position.data()});
   sorted.lattice = ColumnLattice(box, list_radius());
   Array<std::uint64_t> keys;
   Array<std::uint32_t> order;
@@ -241,7 +245,7 @@ typename DeviceBackend<Executor>::SortedSet DeviceBackend<Executor>::sort(
   const auto columns = sorted.lattice.columns();
   if (columns > most_columns)
     throw RunError("the flow has spread too far for a card: its box holds " +
-                   std::to_string(columns) + " columns of two kernels; --backend cpu runs it");
+                   std::to_string(columns) + " columns as wide as a kernel; --backend cpu runs it");
   on_.sort(keys, order, 32 + static_cast<int>(std::bit_width(columns)));
   on_.reserve(sorted.first, columns + 1);
   on_.for_each(columns + 1, FindColumn{keys.data(), count, sorted.first.data()});
@@ -279,9 +283,7 @@ void DeviceBackend<Executor>::list_pairs() {
   on_.scan(slice_starts_);
   on_.reserve(entries_, on_.last(slice_starts_));
   on_.for_each(all(), WritePairs{search, slice_starts_.data(), entries_.data()});
-  fluid_pairs_ = on_.template reduce<PairCount>(fluids, SumPairs{neighbours_.data()}).pairs;
-  boundary_pairs_ =
-      on_.template reduce<PairCount>(boundary_.size(), SumPairs{neighbours_.data() + fluids}).pairs;
+  pairs_ = on_.template reduce<PairCount>(all(), SumPairs{neighbours_.data(), fluids});
 }
 
 template <class Executor>
@@ -343,6 +345,14 @@ void DeviceBackend<Executor>::prepare_rows() {
   on_.zero(is_awake, fluid_.size());
   over_awake(MarkAwake{is_awake.data()});
   list_kept(on_, boundary_.size(), IsTouched{fluid_.size(), rows(), is_awake.data()}, touched_);
+  swept_ = pairs_;
+  if (awake_.size() == fluid_.size()) return;
+  const auto pairs_at = [&](const Array<std::uint32_t>& of, std::size_t offset) {
+    return on_.template reduce<Total>(of.size(),
+                                      SumPairsAt{of.data(), neighbours_.data() + offset});
+  };
+  swept_.fluid = static_cast<std::uint64_t>(pairs_at(awake_, 0).value);
+  swept_.boundary = static_cast<std::uint64_t>(pairs_at(touched_, fluid_.size()).value);
 }
 
 }  // namespace sabo

@@ -33,7 +33,7 @@ template <class Executor>
 void DeviceBackend<Executor>::strain_and_density_rates() {
   need_explicit_arrays();
   pack_motion();
-  const Clock clock(*this, "motion sweep", fluid_pairs_ + boundary_pairs_);
+  const Clock clock(*this, "motion sweep", pairs_.all());
   on_.sweep(all(), MotionSweep{pair_sums(), motion_.data(), strain_.data(), density_rate_.data(),
                                diffusion_rate_.data()});
 }
@@ -59,7 +59,7 @@ void DeviceBackend<Executor>::momentum() {
     on_.for_each(boundary_.size(), pack(boundary_.view(), fluid_.size()));
   }
   {
-    const Clock clock(*this, "force sweep", fluid_pairs_);
+    const Clock clock(*this, "force sweep", pairs_.fluid);
     const auto sweep = [&]<bool two_point, bool artificial>() {
       on_.sweep(fluid_.size(),
                 ForceSweep<two_point, artificial>{pair_sums(), stress_records_.data(), view()});

@@ -10,11 +10,6 @@
 
 namespace sabo {
 
-struct MarkAwake {
-  char* is_awake;
-  SABO_HD void operator()(std::size_t i) const { is_awake[i] = 1; }
-};
-
 /// Whether a boundary particle, counted from the first, has a fluid particle near it that is awake.
 struct IsTouched {
   std::size_t fluid_count;
@@ -360,21 +355,6 @@ struct ShiftSweep {
     return sums;
   }
   SABO_HD void finish(std::size_t i, const Sums& sums) const { fill(i, sums.near); }
-};
-
-/// Whether a fluid particle takes part in the sweeps.
-struct IsAwake {
-  FlowModel model;
-  const double* calm;
-  const std::uint16_t* driven;
-  SABO_HD bool operator()(std::size_t i) const {
-    return driven[i] == 0 && !is_asleep(model, calm[i]);
-  }
-};
-
-struct CountWoken {
-  const char* wakes;
-  SABO_HD void operator()(std::size_t i, Total& sum) const { sum.value += wakes[i]; }
 };
 
 }  // namespace sabo

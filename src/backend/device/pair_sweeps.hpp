@@ -51,8 +51,6 @@ struct PairSums {
   }
 };
 
-SABO_HD inline Vec3d in_double(const Vec3f& v) { return {v.x, v.y, v.z}; }
-SABO_HD inline Vec3f in_single(const Vec3d& v) { return {float(v.x), float(v.y), float(v.z)}; }
 SABO_HD inline Sym3<double> in_double(const Sym3<float>& s) {
   return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "backend/flow_view.hpp"
+#include "backend/sweeps/flow_sums.hpp"
 
 // Which particles take part in the sweeps of the implicit method.
 
@@ -9,6 +10,21 @@ namespace sabo {
 SABO_HD inline bool is_asleep(const FlowModel& model, double calm) {
   return model.sleep.speed > 0 && calm >= model.sleep.time;
 }
+
+/// Whether a fluid particle takes part in the sweeps.
+struct IsAwake {
+  FlowModel model;
+  const double* calm;
+  const std::uint16_t* driven;
+  SABO_HD bool operator()(std::size_t i) const {
+    return driven[i] == 0 && !is_asleep(model, calm[i]);
+  }
+};
+
+struct MarkAwake {
+  char* is_awake;
+  SABO_HD void operator()(std::size_t i) const { is_awake[i] = 1; }
+};
 
 /// Slow, below yield and among others.
 SABO_HD inline bool is_calm(const FlowView& flow, std::size_t i) {
@@ -36,6 +52,11 @@ struct FindWoken {
       });
     wakes[i] = is_touched;
   }
+};
+
+struct CountWoken {
+  const char* wakes;
+  SABO_HD void operator()(std::size_t i, Total& sum) const { sum.value += wakes[i]; }
 };
 
 /// Wakes those that are marked and holds the others.

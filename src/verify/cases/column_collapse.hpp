@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "verify/energy_books.hpp"
+
 #include "io/output/svg_chart.hpp"
-#include "solver/flow_model.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -25,13 +27,12 @@ struct ColumnShape {
 /// The whole of it: a plane of symmetry would be one more wall to get right.
 class ColumnCollapse {
  public:
-  /// The spacing of `numerics` divides the sides of the column. With a seed particles are displaced
+  /// The spacing of the model divides the sides of the column. With a seed particles are displaced
   /// at random by up to a twentieth of it: where a single outcome hangs on chance, several are
   /// averaged.
-  ColumnCollapse(const ColumnShape& shape, const MaterialCase& material,
-                 const NumericsCase& numerics, std::uint64_t seed = 0)
-      : dp_(numerics.spacing), density_(material.density) {
-    FlowModel model = flow_model(material, numerics, shape.height);
+  ColumnCollapse(const ColumnShape& shape, FlowModel model, const NumericsCase& numerics,
+                 std::uint64_t seed = 0)
+      : dp_(model.spacing), density_(model.state.rho0) {
     model.dimension = 2;
     backend_ = make_backend(numerics.backend, model);
     const int wide = cells(shape.half_width), high = cells(shape.height), bed = cells(shape.reach);
@@ -40,11 +41,14 @@ class ColumnCollapse {
     make_hydrostatic(*backend_, shape.height);
     if (seed > 0) displace(shape.reach, seed);
     stepper_ = make_stepper(numerics, *backend_, nullptr);
+    books_.emplace(*backend_);
   }
 
   void run_to(double time) { stepper_->advance_to(time); }
 
   const Particles& fluid() const { return backend_->fluid(); }
+  /// See EnergyBooks.
+  double energy_imbalance() const { return books_->imbalance(*backend_, *stepper_); }
 
   /// Volume over width between two distances from the middle, mean of both sides, m: the height.
   double height(double from, double to) const {
@@ -102,6 +106,7 @@ class ColumnCollapse {
   double dp_, density_;
   std::unique_ptr<Backend> backend_;
   std::unique_ptr<Stepper> stepper_;
+  std::optional<EnergyBooks> books_;
 };
 
 }  // namespace sabo

@@ -2,6 +2,7 @@
 // it. Experiment of Yeh and Petroff (University of Washington); set-up in Gomez-Gesteira &
 // Dalrymple, J. Waterw. Port Coast. Ocean Eng. 130 (2004) 63.
 
+#include <array>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -13,7 +14,6 @@
 #include "verify/water.hpp"
 #include <fmt/format.h>
 
-#include "solver/flow_model.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
 
@@ -44,13 +44,14 @@ struct Run {
   double end = 1.4;  // s
   MaterialCase material = water();
   bool has_gate = false;  // one drawn by a falling weight, else none
-  bool claims_flow = true, claims_blow = true;
 
   std::string name() const {
     return fmt::format("dp {:g} m{}", spacing, has_gate ? ", gate drawn up" : "");
   }
   /// Particles times steps, up to a factor.
   double work() const { return end / std::pow(spacing, 4); }
+  /// To the end of the flow, not of the first blow.
+  bool is_whole() const { return end > 1.33; }
 };
 
 /// The floor from `start` on is wet wherever the spacing can show it.
@@ -69,7 +70,7 @@ void add_bed(Particles& fluid, const FlowModel& model, double start) {
 TimeIntegral simulated(const VerifySettings& settings, const Run& run,
                        const std::function<void(double share)>& on_progress) {
   const NumericsCase numerics = water_numerics(settings, run.spacing, fastest);
-  const FlowModel model = flow_model(run.material, numerics, water_depth);
+  const FlowModel model = settings.model(run.material, numerics, water_depth);
   const auto backend = make_backend(numerics.backend, model);
   Tank{{{}, {length, width, height}}}.add_to(backend->boundary(), model);
   add_box(backend->boundary(), model, column, 1);
@@ -117,17 +118,29 @@ void judge(const Run& run, const TimeIntegral& force, Verdict& verdict) {
                                       measured_arrival, 0.02);
   const Claim blow = Claim::within_share("greatest force, means over 20 ms", "N", first_blow(force),
                                          measured_peak, 0.2);
-  if (run.claims_flow) {
-    add(arrival);
+  add(run.has_gate ? told(arrival) : arrival);
+  add(run.has_gate ? told(blow) : blow);
+  if (run.is_whole()) {
     add(Claim::within_share("mean force over 0.15 s, from 0.19 s after arrival", "N",
                             force.mean(0.55 + shift, 0.70 + shift), measured_plateau, 0.15));
     add(Claim::within_share("impulse over 1 s, from 0.03 s before arrival", "N s", impulse(force),
                             measured_impulse, 0.1));
-  } else {
-    add(told(arrival));
   }
-  add(run.claims_blow ? blow : told(blow));
 }
+
+/// What the differences come from.
+constexpr std::array causes{
+    "Arrival: by Stoker (1957) a bore runs over 1 cm of water at 1.89 m/s and needs 0.26 s from "
+    "the gate to the column; in the plane water 3 cm deep is there at 0.284, 0.284 and 0.280 s "
+    "with 0.01, 0.005 and 0.0025 m. The measured 0.358 s hold the time in which the gate was "
+    "drawn, which is not known; other times count from the arrival",
+    "Gate drawn up: as fast as a falling weight can, at g; it is out of the water in √(2H/g), "
+    "which Lauber & Hager (1998) still call sudden. The measured arrival lies between that and a "
+    "gate that is gone at once; the first blow is nearly the same with either",
+    "First blow: that of a tongue a few particles thin. It falls with the spacing, by the method "
+    "fast 56.6, 53.4, 45.3 and 37.0 N with 0.02, 0.0142, 0.01 and 0.0071 m; mean force and impulse "
+    "rise, 15.1, 16.1 and 17.3 N, 11.0, 11.9 and 12.2 N s with "
+    "the first three"};
 
 }  // namespace
 
@@ -139,18 +152,13 @@ Verdict verify_column_force(const VerifySettings& settings) {
     runs = {{coarse}};
   } else if (is_fast) {
     // The first blow is that of a tongue, a few particles thin at dp 0.01 m.
-    runs = {{.spacing = 0.01, .claims_blow = false},
-            {.spacing = 0.0071, .end = 0.5, .claims_flow = false}};
+    runs = {{.spacing = 0.01}, {.spacing = 0.0071, .end = 0.5}};
   } else {
     runs = {{0.02}};  // the explicit method takes ten times as long
   }
   if (settings.effort == Effort::extended) runs.push_back({0.006});
   if (!settings.is_quick())
-    runs.push_back({.spacing = runs.front().spacing,
-                    .end = 0.65,
-                    .has_gate = true,
-                    .claims_flow = false,
-                    .claims_blow = false});
+    runs.push_back({.spacing = runs.front().spacing, .end = 0.65, .has_gate = true});
   Run slurry{coarse};
   slurry.material.law = Newtonian{100};
 
@@ -183,19 +191,11 @@ Verdict verify_column_force(const VerifySettings& settings) {
   verdict.charts = {std::move(chart)};
   verdict.remarks = {
       fmt::format("Artificial viscosity {:g}. The wet bed, {:g} m deep, is one layer of particles, "
-                  "flat ones at dp 0.02 m; at dp {:g} m the floor is dry",
-                  water_artificial_viscosity, bed_depth, coarse),
-      "Arrival: by Stoker (1957) a bore runs over 1 cm of water at 1.89 m/s and needs 0.26 s from "
-      "the gate to the column; in the plane water 3 cm deep is there at 0.284, 0.284 and 0.280 s "
-      "with 0.01, 0.005 and 0.0025 m. The measured 0.358 s hold the time in which the gate was "
-      "drawn, which is not known; other times count from the arrival",
-      "Gate drawn up: as fast as a falling weight can, at g; it is out of the water in √(2H/g), "
-      "which Lauber & Hager (1998) still call sudden. The measured arrival lies between that and a "
-      "gate that is gone at once; the first blow is nearly the same with either",
-      "First blow: that of a tongue a few particles thin. It falls with the spacing, by the method "
-      "fast 56.6, 53.4, 45.3 and 37.0 N with 0.02, 0.0142, 0.01 and 0.0071 m, and is claimed at "
-      "the last; mean force and impulse rise, 15.1, 16.1 and 17.3 N, 11.0, 11.9 and 12.2 N s with "
-      "the first three"};
+                  "flat ones at "
+                  "dp 0.02 m; at dp {:g} m the floor is dry",
+                  water_artificial_viscosity, bed_depth, coarse)};
+  if (!settings.is_quick())
+    verdict.remarks.insert(verdict.remarks.end(), causes.begin(), causes.end());
   return verdict;
 }
 

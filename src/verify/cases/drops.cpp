@@ -14,9 +14,9 @@
 #include <numbers>
 
 #include "verify/cases.hpp"
+#include "verify/elliptic_drop.hpp"
 #include <fmt/format.h>
 
-#include "solver/flow_model.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -26,40 +26,8 @@ namespace {
 
 constexpr double density = 1000;  // kg/m3; the radius is 1 m
 
-/// With velocity sigma (x, -z), pressure P rho (1 - x^2/a^2 - z^2/b^2) and a force -omega^2 (x, z):
-/// P = (sigma^2 + omega^2) a^2 b^2 / (a^2 + b^2), d sigma/dt = (sigma^2 + omega^2) (b^2 - a^2) /
-/// (a^2 + b^2), da/dt = sigma a, db/dt = -sigma b (Monaghan & Rafiee 2013; omega = 0: Monaghan
-/// 1994).
-struct Ellipse {
-  double sigma;
-  double omega;
-  double a = 1, b = 1;
-
-  double pressure() const {  // P
-    return (sigma * sigma + omega * omega) * a * a * b * b / (a * a + b * b);
-  }
-
-  /// Runge and Kutta's fourth order.
-  void advance(double dt) {
-    const auto rate = [](const Ellipse& e) {
-      const double a2 = e.a * e.a, b2 = e.b * e.b;
-      const double turn = (e.sigma * e.sigma + e.omega * e.omega) * (b2 - a2) / (a2 + b2);
-      return Ellipse{turn, 0, e.sigma * e.a, -e.sigma * e.b};
-    };
-    const auto moved = [&](const Ellipse& k, double t) {
-      return Ellipse{sigma + t * k.sigma, omega, a + t * k.a, b + t * k.b};
-    };
-    const Ellipse k1 = rate(*this), k2 = rate(moved(k1, dt / 2)), k3 = rate(moved(k2, dt / 2)),
-                  k4 = rate(moved(k3, dt));
-    const Ellipse mean{(k1.sigma + 2 * k2.sigma + 2 * k3.sigma + k4.sigma) / 6, 0,
-                       (k1.a + 2 * k2.a + 2 * k3.a + k4.a) / 6,
-                       (k1.b + 2 * k2.b + 2 * k3.b + k4.b) / 6};
-    *this = moved(mean, dt);
-  }
-};
-
 struct Drop {
-  Ellipse start;
+  EllipticDrop start;
   int cells;               ///< particles in the radius
   double end;              ///< s
   double reference_speed;  ///< m/s
@@ -94,7 +62,7 @@ Shape shape_of(const Particles& fluid) {
 struct Motion {
   std::vector<double> time;
   std::vector<Shape> shape;
-  std::vector<Ellipse> exact;
+  std::vector<EllipticDrop> exact;
   double swing = 0;  ///< mean of |x| |v| at the start, m2/s
 };
 
@@ -107,12 +75,12 @@ Motion motion_of(const Drop& drop, const VerifySettings& settings,
   MaterialCase material;
   material.density = density;
   material.law = Newtonian{drop.viscosity};
-  FlowModel model = flow_model(material, numerics, 1);
+  FlowModel model = settings.model(material, numerics, 1);
   model.dimension = 2;
   model.central = {drop.start.omega * drop.start.omega, {}};
   const auto backend = make_backend(numerics.backend, model);
   Particles& fluid = backend->fluid();
-  Ellipse exact = drop.start;
+  EllipticDrop exact = drop.start;
   Motion motion;
   // Each ring is turned by the golden angle against the one before.
   constexpr double pi = std::numbers::pi;
@@ -203,7 +171,7 @@ void add_claims(const Motion& drawn, const Motion& swinging, const std::string& 
   double error = 0;
   for (std::size_t k = 0; k < swinging.time.size() && swinging.time[k] <= exact_period; ++k) {
     const Shape& shape = swinging.shape[k];
-    const Ellipse& exact = swinging.exact[k];
+    const EllipticDrop& exact = swinging.exact[k];
     error = std::max({error, std::abs(shape.a / exact.a - 1), std::abs(shape.b / exact.b - 1)});
   }
   claims.push_back(

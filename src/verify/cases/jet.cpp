@@ -5,14 +5,13 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "verify/cases.hpp"
+#include "verify/jet_pressure.hpp"
 #include "verify/water.hpp"
 #include <fmt/format.h>
 
 #include "analysis/probes.hpp"
-#include "solver/flow_model.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
 
@@ -30,17 +29,6 @@ constexpr double plateau_start = 3 * turn, plateau_end = 8 * turn, end = 9 * tur
 constexpr double artificial_viscosity = 0.05;
 
 constexpr std::array places{0.0, 0.5, 1.0};  // on the plate, from its middle, over the thickness
-
-/// Pressure on the plate over rho u^2 / 2. Along it the jet has the speed q u at
-/// x/b = 2/pi (artanh q + arctan q), and p = 1 - q^2. Its sum is 2 b, which is F = rho b u^2.
-double exact_pressure(double place) {
-  double low = 0, high = 1;
-  for (int k = 0; k < 60; ++k) {
-    const double q = 0.5 * (low + high);
-    (2 / std::numbers::pi * (std::atanh(q) + std::atan(q)) < place ? low : high) = q;
-  }
-  return 1 - low * low;
-}
 
 struct Strike {
   TimeIntegral force;                                     ///< on the plate, per metre across
@@ -65,7 +53,7 @@ Strike simulated(const VerifySettings& settings, int layers, double density,
   numerics.artificial_viscosity = artificial_viscosity;
   MaterialCase material = water();
   material.density = density;
-  FlowModel model = flow_model(material, numerics, thickness);
+  FlowModel model = settings.model(material, numerics, thickness);
   model.dimension = 2;
   const auto backend = make_backend(numerics.backend, model);
   const double dp = model.spacing, half = 0.5 * thickness;
@@ -125,7 +113,7 @@ Verdict verify_jet(const VerifySettings& settings) {
       verdict.claims.push_back(Claim::within(
           fmt::format("b/dp {}: pressure on the plate at {:g} b, over ρ u²/2", layers, places[k]),
           "", strike.pressure[k].mean(plateau_start, plateau_end) / (0.5 * expected / thickness),
-          exact_pressure(places[k]), settings.is_quick() ? 0.08 : 0.05));
+          jet_pressure(places[k]), settings.is_quick() ? 0.08 : 0.05));
     chart.series.push_back(strike.force.series(fmt::format("b/dp {}", layers), 0.1 * turn, end));
   }
   const double more = settings.is_quick() ? 0.2 : 0.1;

@@ -11,6 +11,7 @@
 #include <numbers>
 
 #include "verify/cases.hpp"
+#include "verify/energy_books.hpp"
 #include <fmt/format.h>
 
 #include "solver/lattice.hpp"
@@ -24,10 +25,11 @@ namespace {
 
 constexpr double radians = std::numbers::pi / 180;
 constexpr double steep = 33 * radians, gentle = 5 * radians;
-constexpr double length = 20, depth = 3.75, above_foot = 5;  // m, of the block along the slope
-constexpr double spacing = 0.75;                             // m
-constexpr int width = 7;                                     // particles
-constexpr double west = -45, east = 45;                      // m from the foot of the slope
+constexpr double block_length = 20.25, depth = 3.75,
+                 above_foot = 5;         // m, of the block along the slope
+constexpr double spacing = 0.75;         // m
+constexpr int width = 7;                 // particles
+constexpr double west = -45, east = 45;  // m from the foot of the slope
 
 /// The two slopes meet at x = 0.
 Surface slopes() {
@@ -63,7 +65,7 @@ FlowModel model_of(const NumericsCase& numerics, const VerifySettings& settings)
 }
 
 void add_release(Particles& fluid, const FlowModel& model) {
-  const int columns = static_cast<int>(std::lround(length / spacing));
+  const int columns = static_cast<int>(std::lround(block_length / spacing));
   const int layers = static_cast<int>(std::lround(depth / spacing));
   const double weight = -model.gravity.z * std::cos(steep) * model.state.rho0;
   for (int k = 0; k < layers; ++k)
@@ -94,10 +96,11 @@ double front(const Particles& fluid) {
 }
 
 struct Runout {
-  double travel = 0;   ///< of the centroid in plan, m
-  double front = 0;    ///< from the foot of the slope, m
-  double seconds = 0;  ///< that the steps took
-  ChartSeries track;   ///< travel over time
+  double travel = 0;     ///< of the centroid in plan, m
+  double front = 0;      ///< from the foot of the slope, m
+  double seconds = 0;    ///< that the steps took
+  double imbalance = 0;  ///< of energy, by size; of several the greatest
+  ChartSeries track;     ///< travel over time
 };
 
 Runout run(const NumericsCase& numerics, const FlowModel& model, const Surface& surface,
@@ -114,6 +117,7 @@ Runout run(const NumericsCase& numerics, const FlowModel& model, const Surface& 
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   const auto stepper = make_stepper(numerics, *backend, nullptr);
+  const EnergyBooks books(*backend);
   constexpr int points = 80;
   for (int k = 1; k <= points; ++k) {
     const double time = end * k / points;
@@ -125,6 +129,7 @@ Runout run(const NumericsCase& numerics, const FlowModel& model, const Surface& 
   result.seconds = std::chrono::duration<double>(Clock::now() - begin).count();
   result.travel = centroid(fluid) - start;
   result.front = front(fluid);
+  result.imbalance = std::abs(books.imbalance(*backend, *stepper));
   return result;
 }
 
@@ -152,6 +157,7 @@ Verdict verify_runout(const VerifySettings& settings) {
       sum.travel += one.travel / members;
       sum.front += one.front / members;
       sum.seconds += one.seconds;
+      sum.imbalance = std::max(sum.imbalance, one.imbalance);
       one.track.name = method == Method::fast ? "fast" : "explicit";
       if (member == 1) chart.series.push_back(std::move(one.track));
       if (method == Method::paper) ++done;
@@ -161,9 +167,20 @@ Verdict verify_runout(const VerifySettings& settings) {
       Claim::within_share("mean travel of the centroid", "m", fast.travel, explicit_one.travel,
                           0.03),
       Claim::within("mean front, two spacings", "m", fast.front, explicit_one.front, 2 * spacing)};
-  if (!settings.is_quick())
+  if (!settings.is_quick()) {
     verdict.claims.push_back(Claim::at_least("time of the explicit method over that of fast", "",
                                              explicit_one.seconds / fast.seconds, 10));
+    verdict.claims.push_back(claim_of_books("fast, the worst start: ", fast.imbalance));
+    verdict.claims.push_back(claim_of_books("explicit, the worst start: ", explicit_one.imbalance));
+    verdict.remarks = {
+        fmt::format("Block {:g} m long, {:g} m deep, {:g} m above the foot; spacing {:g} m, ρ 1726 "
+                    "kg/m³, 28°, Cross of μB 1255 Pa s and μ0/μB 1000",
+                    block_length, depth, above_foot, spacing),
+        "That two methods agree is no proof that both are right: on a slab of five particles (see "
+        "slab) the explicit one is 11 % too slow after 3 s, the fast one 2 %. Over a whole run-out "
+        "onto a flat foot the difference is less, as the depth of the block and how it spreads "
+        "decide more than its speed"};
+  }
   verdict.charts = {std::move(chart)};
   return verdict;
 }
