@@ -17,6 +17,7 @@
 #include "run/flow.hpp"
 #include "run/memory_estimate.hpp"
 #include "run/preview.hpp"
+#include "solver/flow_model.hpp"
 #include "terrain/bilinear.hpp"
 
 // Inflows into the channel, particles of 0.25 m.
