@@ -33,7 +33,7 @@ class Variant:
         self.pore_pressure, self.spacing = pore_pressure, spacing
         is_free = stress == "none"
         self.duration = 100 if is_free else 300
-        self.reference_speed = 90 if is_free else 30 if pore_pressure and stress == "mirror" else 20
+        self.reference_speed = 90 if is_free else 30 if pore_pressure else 20
 
     @property
     def name(self):

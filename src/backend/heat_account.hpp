@@ -13,8 +13,8 @@ struct NumericalHeat {
   double density_hold = 0;  ///< fast: density held to the places of the particles
   double shifting = 0;      ///< fast: particles shifted to more even places
   double sound_speed = 0;   ///< fast: compression at the same pressure with another speed of sound
-  double walls = 0;  ///< paper: pressure against walls whose own density follows continuity, with
-                     ///< what they keep as compression of their own
+  double walls = 0;         ///< pressure against walls, which give back what it took only in part;
+                            ///< paper: with what they keep as compression of their own
 
   double total() const {
     return artificial_viscosity + density_diffusion + density_hold + shifting + sound_speed + walls;

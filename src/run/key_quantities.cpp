@@ -49,7 +49,10 @@ std::vector<KeyQuantity> key_quantities(const RunMaps& maps, const std::vector<S
   const SeriesRow& last = rows.back();
   const Grid& grid = maps.arrival.grid;
   std::vector<KeyQuantity> list;
-  list.push_back({"front run-out", "m", last.front.displacement});
+  // What has left the map is no longer a front.
+  const auto displacement = [](const SeriesRow& row) { return row.front.displacement; };
+  list.push_back({"front run-out", "m",
+                  last.left.mass > 0 ? greatest(rows, displacement) : displacement(last)});
   list.push_back({"peak front speed", "m/s",
                   greatest(rows, [](const SeriesRow& row) { return row.front.velocity; })});
   for (std::size_t k = 0; k < scene.dams.size(); ++k) {

@@ -82,5 +82,12 @@ TEST_F(KeyQuantities, NeedRows) {
   EXPECT_TRUE(found().empty());
 }
 
+TEST_F(KeyQuantities, RunOutIsTheFarthestWhereFlowHasLeftTheMap) {
+  rows_.back().front.displacement = -3;  // of what stayed behind
+  EXPECT_EQ(found().at("front run-out [m]"), -3);
+  rows_.back().left.mass = 1;
+  EXPECT_EQ(found().at("front run-out [m]"), 6);
+}
+
 }  // namespace
 }  // namespace sabo

@@ -113,18 +113,20 @@ SABO_HD inline double held_to_places(const FlowView& flow, double density, std::
 
 /// What the scheme takes from the energy of the flow: artificial viscosity in W, the others in J.
 struct StepHeat {
-  double artificial = 0, diffusion = 0, hold = 0, shifting = 0;
+  double artificial = 0, diffusion = 0, hold = 0, shifting = 0, walls = 0;
   SABO_HD void join(const StepHeat& other) {
     artificial += other.artificial;
     diffusion += other.diffusion;
     hold += other.hold;
     shifting += other.shifting;
+    walls += other.walls;
   }
   SABO_HD void enter(double dt, HeatAccount& account) const {
     account.numerical.artificial_viscosity += dt * artificial;
     account.numerical.density_diffusion += diffusion;
     account.numerical.density_hold += hold;
     account.numerical.shifting += shifting;
+    account.numerical.walls += walls;
   }
 };
 
@@ -154,15 +156,25 @@ struct AdvanceState {
     fluid.density[i] = held;
     const double mean = 0.5 * (before + moved);
     const double mass = fluid.mass[i];
-    if (flow.model.artificial_viscosity > 0) sum.artificial += mass * flow.artificial_heat[i];
+    const double artificial = flow.model.artificial_viscosity > 0 ? flow.artificial_heat[i] : 0;
+    sum.artificial += mass * artificial;
     const double pressure = borne_pressure(state, mean, borne);
     const double per_density = pressure / (mean * mean);
     sum.diffusion -= mass * per_density * dt * flow.diffusion_rate[i];
+    // Between two particles of the fluid the work of pressure is found again as compression, so
+    // that in the sum over all what is missing went to the walls.
+    const Vec3d force = flow.model.body_force(fluid.position[i]);
+    const Vec3d velocity =  // mean of the step, as for the heat of viscosity
+        fluid.velocity[i] - 0.5 * dt * (flow.acceleration[i] + fluid.drag[i]);
+    const double pushed = dot(velocity, flow.acceleration[i] - force) + artificial;
+    double compressed = dt * per_density * (flow.density_rate[i] - flow.diffusion_rate[i]);
     if (flow.model.particle_shifting > 0 && dt > 0) {
       const Shift& shift = flow.shift[i];
-      const Vec3d force = flow.model.body_force(fluid.position[i]);
-      sum.shifting += mass * (dot(force, shift.by) - per_density * state.rho0 * shift.filled);
+      const double filled = per_density * state.rho0 * shift.filled;  // a part of the density rate
+      sum.shifting += mass * (dot(force, shift.by) - filled);
+      compressed -= filled;
     }
+    sum.walls -= mass * (dt * pushed + compressed);
     sum.hold += mass * (borne_energy(state, moved, borne) - borne_energy(state, held, borne));
     fluid.position[i] += dt * fluid.velocity[i];
     fluid.calm[i] = is_calm(flow, i) ? fluid.calm[i] + dt : 0;

@@ -134,7 +134,7 @@ Verdict verify_slump(const VerifySettings& settings) {
                                             "", found.doubling, 0.03));
     verdict.claims.push_back(
         Claim::told(name + ": the foremost particle", "m", found.toe, rest.length(side * side)));
-    if (!is_quick) verdict.claims.push_back(claim_of_books(name + ": ", found.imbalance));
+    verdict.claims.push_back(claim_of_books(name + ": ", found.imbalance));
     LineChart chart{fmt::format("Slump of a square column, B = {:g}", slump.bingham),
                     "distance from the middle [m]", "height [m]"};
     chart.series = {found.profile, reference(rest)};
