@@ -6,7 +6,7 @@ DEMO_CASE = runs/yohutagawa-case
 DEMO_RUN = runs/yohutagawa
 # Long runs; the sanitizers make them ten times longer and find nothing new in them. Those that
 # CMake calls long are not built. The pages in a browser, labelled web, take minutes as well.
-LONG_TESTS = _NOT_BUILT$$|^verify[.]All|^tutorial$$|^faults
+LONG_TESTS = _NOT_BUILT$$|^verify[.](All|Mutations)|^tutorial$$|^faults|^app[.](BenchCommand[.]WritesJson|VerifyCommand[.]LeavesPage)
 
 help:
 	@echo 'make build    install what is missing, then build build/release/src/sabo'
