@@ -14,16 +14,18 @@ using CaseRecords = std::vector<const VerifyRecord*>;
 
 /// How to read the page.
 constexpr const char* legend =
-    "Each row of a table below is a number that was measured. A gate says how it must lie to what "
-    "is expected; one outside **fails**, and a remark below the table tells the cause. \"Beside\" "
-    "is no gate: a number of others, or of another setting, to compare with. Rows that ask for at "
-    "least so large an error are controls: there the material or a term is wrong on purpose, and "
-    "the band must notice.\n\n`fast` is the default of `sabo`, with its own defaults, among them "
-    "the shifting of particles in the inside of a flow. `paper` is the explicit method of the "
-    "paper in its accurate setting, not in its default, which reads the paper literally: "
-    "`viscous_operator = \"morris\"`, `boundary_stress = \"mirror\"`, `boundary_pressure = "
-    "\"extrapolated\"`, `diffusion_form = \"fourtakas\"`. Its explicit steps are a hundred times "
-    "shorter in a stiff material, so it runs the cases that take minutes, some of them coarser.\n";
+    "Each row of a table below is a number that was measured. A gate says how it must lie to "
+    "what is expected; one outside **fails**, and a remark below the table tells the cause. "
+    "\"Beside\" is no gate: a number of others, or of another setting, to compare with. Rows "
+    "that ask for at least so large an error are controls: there the material or a term is "
+    "wrong on purpose, and the band must notice.\n\n"
+    "`fast` is the default of `sabo`, with its own defaults, among them the shifting of "
+    "particles in the inside of a flow. `paper` is the explicit method of the paper in its "
+    "accurate setting, not in its default, which reads the paper literally: `viscous_operator = "
+    "\"morris\"`, `boundary_stress = \"mirror\"`, `boundary_pressure = \"extrapolated\"`, "
+    "`diffusion_form = \"fourtakas\"`; yohutagawa alone takes its defaults. Its explicit steps "
+    "are a hundred times shorter in a stiff material, so some of its cases are coarser or left "
+    "out.\n";
 
 /// Text of a cell: a bar would end it.
 std::string cell(const std::string& text) {
