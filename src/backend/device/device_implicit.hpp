@@ -6,6 +6,7 @@
 #include "backend/device/device_sweeps.hpp"
 #include "backend/sweeps/implicit_sweeps.hpp"
 #include "backend/sweeps/shifting.hpp"
+#include "backend/sweeps/sleep.hpp"
 
 // The sweeps of the implicit method.
 

@@ -13,6 +13,7 @@
 #include "backend/device/list_motion.hpp"
 #include "backend/sweeps/driven.hpp"
 #include "backend/sweeps/explicit_sweeps.hpp"
+#include "backend/sweeps/sleep.hpp"
 #include "base/error.hpp"
 
 // Copies on the host, sorting, neighbours, and the arrays that go with them.

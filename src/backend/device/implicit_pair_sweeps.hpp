@@ -2,7 +2,6 @@
 
 #include "backend/device/pair_sweeps.hpp"
 #include "backend/sweeps/shifting.hpp"
-#include "backend/sweeps/sleep.hpp"
 #include "backend/viscous_solver.hpp"
 #include "physics/pair/wall_contact.hpp"
 

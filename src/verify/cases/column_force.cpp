@@ -190,12 +190,11 @@ Verdict verify_column_force(const VerifySettings& settings) {
   verdict.charts = {std::move(chart)};
   verdict.remarks = {
       fmt::format("Artificial viscosity {:g}. The wet bed, {:g} m deep, is one layer of particles, "
-                  "flat ones at "
-                  "dp 0.02 m; at dp {:g} m the floor is dry",
+                  "flat ones at dp 0.02 m; at dp {:g} m the floor is dry",
                   water_artificial_viscosity, bed_depth, coarse)};
-  if (!settings.is_quick())
-    verdict.remarks.insert(verdict.remarks.end(), causes.begin(), causes.end());
-  if (!settings.is_quick() && !is_fast)
+  if (settings.is_quick()) return verdict;
+  verdict.remarks.insert(verdict.remarks.end(), causes.begin(), causes.end());
+  if (!is_fast)
     verdict.remarks.push_back(
         "By this method at 0.02 m: the spacing is most of it, as the numbers of the other show. "
         "Artificial viscosity is not the rest, with 0.005 mean force, impulse and greatest force "

@@ -242,8 +242,9 @@ Verdict verify_hydrostatic(const VerifySettings& settings) {
   }
   if (!quick && settings.method == Method::paper) {
     verdict.remarks.push_back(
-        "left out: fluids with a yield stress, whose explicit steps are shorter than a microsecond "
-        "at these spacings, and H/100, the rough DEM and the box, which take an hour");
+        "left out for the time that they take: fluids with a yield stress, whose explicit steps "
+        "are "
+        "shorter by their viscosity at rest over that of water, H/100, the rough DEM and the box");
     verdict.remarks.push_back(
         "pressure and wall: too high towards the floor, by an error of the compression, which "
         "falls with the square of the speed of sound: L2 is 0.022 in the column of H/25 after 5 "

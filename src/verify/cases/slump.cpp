@@ -17,6 +17,7 @@ namespace sabo {
 namespace {
 
 constexpr double rho = 1000, g = 9.81, side = 0.1;  // H0 = L0, m
+constexpr double half_volume = side * side;         // of half the column, m2
 
 struct Slump {
   double bingham;    ///< B = tau_y / (rho g H0)
@@ -72,7 +73,7 @@ Outcome outcome(const Slump& slump, int cells, double end, const VerifySettings&
 }
 
 double mean_height(const SlumpAtRest& rest, double from, double to) {
-  const double length = rest.length(side * side);
+  const double length = rest.length(half_volume);
   double sum = 0;
   for (int k = 0; k < 100; ++k) sum += rest.height(length - from - (k + 0.5) / 100 * (to - from));
   return sum / 100;
@@ -94,7 +95,7 @@ double sinking(bool sleeps, int cells, const VerifySettings& settings) {
 
 ChartSeries reference(const SlumpAtRest& rest) {
   ChartSeries series{"at rest", {}, {}};
-  const double length = rest.length(side * side);
+  const double length = rest.length(half_volume);
   constexpr int points = 25;
   for (int k = 0; k <= points; ++k) {
     series.x.push_back(length * k / points);
@@ -126,14 +127,14 @@ Verdict verify_slump(const VerifySettings& settings) {
     if (length_of_first == 0) length_of_first = found.length;
     const std::string name = fmt::format("B {:g}, {}", slump.bingham, at);
     verdict.claims.push_back(Claim::within_share(name + ": L, where the height is πb", "m",
-                                                 found.length, rest.length(side * side), 0.07));
+                                                 found.length, rest.length(half_volume), 0.07));
     verdict.claims.push_back(Claim::within_share(name + ": mean height of the middle quarter", "m",
                                                  found.centre, mean_height(rest, 0, side / 4),
                                                  0.07));
     verdict.claims.push_back(Claim::at_most(name + ": growth of L in the second half of the time",
                                             "", found.doubling, 0.03));
     verdict.claims.push_back(
-        Claim::told(name + ": the foremost particle", "m", found.toe, rest.length(side * side)));
+        Claim::told(name + ": the foremost particle", "m", found.toe, rest.length(half_volume)));
     verdict.claims.push_back(claim_of_books(name + ": ", found.imbalance));
     LineChart chart{fmt::format("Slump of a square column, B = {:g}", slump.bingham),
                     "distance from the middle [m]", "height [m]"};
@@ -142,7 +143,7 @@ Verdict verify_slump(const VerifySettings& settings) {
     verdict.charts.push_back(std::move(chart));
   }
 
-  const double expected = SlumpAtRest{0.05 * side}.length(side * side);
+  const double expected = SlumpAtRest{0.05 * side}.length(half_volume);
   const double rest_weight = is_quick ? 0.45 : 0.1;
   const Outcome weak = outcome({0.05, 10, 1e5, 0.5, 0.5}, coarse, is_quick ? 10 : 20, settings,
                                on_share(rest_weight));
