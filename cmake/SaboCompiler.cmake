@@ -18,7 +18,9 @@ add_library(sabo_options INTERFACE)
 function(sabo_cxx_options)
   target_compile_options(sabo_options INTERFACE "$<$<COMPILE_LANGUAGE:CXX>:${ARGN}>")
 endfunction()
-sabo_cxx_options(-Wall -Wextra -Wpedantic -Wshadow)
+sabo_cxx_options(-Wall -Wextra -Wpedantic)
+# In files compiled as one a local name may be that of something in another file.
+sabo_cxx_options($<$<NOT:$<BOOL:$<TARGET_PROPERTY:UNITY_BUILD>>>:-Wshadow>)
 if(SABO_WARNINGS_AS_ERRORS)
   sabo_cxx_options(-Werror)
 endif()
@@ -28,6 +30,16 @@ if(SABO_SANITIZE)
   sabo_cxx_options(-fsanitize=${SABO_SANITIZE} -fno-omit-frame-pointer)
   target_link_options(sabo_options INTERFACE -fsanitize=${SABO_SANITIZE})
 endif()
+
+# Several files of a target are compiled as one: half the time, since most of it goes into headers.
+# Tests always are; of the program only what the sanitizers go through, so that in the release build
+# each file still names what it includes, and shadows nothing.
+option(SABO_UNITY "Compile several files as one: those of tests, with sanitizers those of layers" ON)
+function(sabo_unity target)
+  if(SABO_UNITY)
+    set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 8)
+  endif()
+endfunction()
 
 # For builds by clang, where it halves the time of a small file: GCC takes longer with such headers.
 # The release build goes without, so each file still names what it includes.

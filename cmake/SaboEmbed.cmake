@@ -3,6 +3,7 @@
 function(sabo_embed target function file)
   set(source ${CMAKE_CURRENT_BINARY_DIR}/embedded/${function}.cpp)
   configure_file(${PROJECT_SOURCE_DIR}/cmake/embedded.cpp.in ${source} @ONLY)
-  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${file})
+  # Not compiled as one with other files: each has a label of the same name.
+  set_source_files_properties(${source} PROPERTIES OBJECT_DEPENDS ${file} SKIP_UNITY_BUILD_INCLUSION ON)
   target_sources(${target} PRIVATE ${source})
 endfunction()

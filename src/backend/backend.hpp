@@ -55,8 +55,10 @@ class Backend {
   /// May be a copy, which holds what it held when it was asked for: ask again after a sweep.
   virtual Particles& fluid() = 0;
   virtual Particles& boundary() = 0;
-  /// The same for the host to keep, not to hand back.
-  virtual void copy_fluid(Particles& into) = 0;
+  /// The same for the host to keep, not to hand back. A copy from a device is made beside what the
+  /// host does next: what is returned waits for it and fills `into`. That is to be called once, in
+  /// any thread, before another copy is asked for.
+  virtual std::function<void()> copy_fluid(Particles& into) = 0;
   /// Where the fluid is: less than all that fluid() fetches, and nothing to hand back.
   virtual const std::vector<Vec3d>& positions() = 0;
   /// The same with numbers and masses, in the order of fluid(). Good until the next sweep.

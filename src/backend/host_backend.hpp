@@ -17,7 +17,10 @@ class HostBackend : public Backend {
   explicit HostBackend(const FlowModel& model);
 
   Particles& fluid() override { return fluid_; }
-  void copy_fluid(Particles& into) override { into = fluid_; }
+  std::function<void()> copy_fluid(Particles& into) override {
+    into = fluid_;
+    return [] {};
+  }
   const std::vector<Vec3d>& positions() override { return fluid_.position; }
   Places places() override { return fluid_; }
   Particles& boundary() override { return boundary_; }

@@ -22,6 +22,9 @@ class HostExecutor {
  public:
   template <class T>
   using Array = std::vector<T>;
+  /// On the host, where copies to it are made beside other work.
+  template <class T>
+  using StagingArray = std::vector<T>;
 
   /// `row_shares`: in how many parts a row of pairs is summed up, as by as many threads of a card.
   explicit HostExecutor(int threads = 1, std::uint32_t row_shares = 1)
@@ -89,6 +92,11 @@ class HostExecutor {
   void download(const Array<T>& from, std::vector<T>& to) const {
     to = from;
   }
+  /// The copy is there once await() has returned for a later moment.
+  template <class T>
+  void start_download(const Array<T>& from, StagingArray<T>& to) const {
+    to = from;
+  }
   template <class T>
   void copy(const Array<T>& from, Array<T>& to) const {
     to = from;
@@ -115,6 +123,8 @@ class HostExecutor {
   /// A place in the order of the work, for times between two of them, s.
   using Moment = std::chrono::steady_clock::time_point;
   Moment now() const { return std::chrono::steady_clock::now(); }
+  /// Waits until the work has come there; from any thread.
+  void await(const Moment& /*moment*/) const {}
   double seconds_between(const Moment& start, const Moment& end) const {
     return std::chrono::duration<double>(end - start).count();
   }

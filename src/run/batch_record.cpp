@@ -10,11 +10,10 @@
 #include "io/case_file/write_case.hpp"
 #include "io/output/read_file.hpp"
 #include "run/manifest.hpp"
+#include "run/read_manifest.hpp"
 
 namespace sabo {
 namespace {
-
-constexpr std::size_t max_manifest = 1'000'000;  // bytes
 
 std::vector<std::pair<std::string, double>> numbers_of(const TomlTable& table) {
   std::vector<std::pair<std::string, double>> list;
@@ -47,7 +46,7 @@ std::vector<std::string> quantity_labels(const std::vector<BatchRecord>& records
 }
 
 std::optional<BatchRecord> finished_record(const std::filesystem::path& folder, const Case& c) {
-  const auto text = read_file(folder / "manifest.toml", max_manifest);
+  const auto text = read_file(folder / "manifest.toml", largest_manifest);
   if (!text) return std::nullopt;
   Faults faults;
   const auto manifest = parse_toml(*text, "manifest.toml", faults);

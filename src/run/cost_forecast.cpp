@@ -23,7 +23,7 @@ constexpr double mean_over_top =
 constexpr double fastest_flow = 30;  // m/s; debris flows are rarely faster
 constexpr double wall_limit = 1.2;   // s of measuring
 constexpr double share_of_duration = 0.02;
-constexpr std::size_t most_particles = 100000;  // that are stepped: half a second a list or less
+constexpr std::size_t most_stepped = 100000;  // that are stepped: half a second a list or less
 
 /// The acoustic time step at a speed, s.
 double acoustic_step(const CostOutlook& o, double sound, double speed) {
@@ -83,9 +83,9 @@ Particles flow_before(const InflowPlan& inflow, const Surface& surface, std::siz
 Particles sample_of(const Case& c, const Scene& scene) {
   if (scene.release.size() == 0)
     return flow_before(scene.inflows.front(), *scene.surface,
-                       std::min(most_particles, scene.particles_until(c.run.duration)));
-  return scene.release.size() > most_particles
-             ? part_of(scene.release, scene.release_centre, most_particles)
+                       std::min(most_stepped, scene.particles_until(c.run.duration)));
+  return scene.release.size() > most_stepped
+             ? part_of(scene.release, scene.release_centre, most_stepped)
              : scene.release;
 }
 
@@ -155,7 +155,7 @@ CostSample measure(Flow& flow, double duration) {
   return sample;
 }
 
-std::string count_text(double steps) {
+std::string steps_text(double steps) {
   return steps < 1e4 ? fmt::format("{:.0f}", steps) : fmt::format("{:.3g} thousand", steps / 1e3);
 }
 
@@ -242,7 +242,7 @@ std::string forecast_text(const CostForecast& forecast) {
                                                         forecast.threads == 1 ? "" : "s");
   return fmt::format("about {} {} on {} ({} to {} {}), {} steps of {:.2g} ms", number(s), name, on,
                      number(s / forecast_factor), number(s * forecast_factor), name,
-                     count_text(forecast.steps), 1e3 * forecast.dt) +
+                     steps_text(forecast.steps), 1e3 * forecast.dt) +
          (forecast.is_busy ? "; uncertain, for other programs run beside it" : "");
 }
 

@@ -3,7 +3,7 @@
 namespace sabo {
 namespace {
 
-std::vector<std::string> header(const Scene& scene) {
+std::vector<std::string> filling_columns(const Scene& scene) {
   std::vector<std::string> names{"time [s]"};
   for (const CheckDam& dam : scene.check_dams())
     for (const char* column : {"stored [m3]", "filled [1]", "surface [m]"})
@@ -20,7 +20,7 @@ Basin basin_behind(const CheckDam& dam, const Scene& scene) {
 }
 
 DamFillings::DamFillings(const Scene& scene, const RunFolder& folder)
-    : csv_(folder.series_file("filling.csv"), header(scene)) {
+    : csv_(folder.series_file("filling.csv"), filling_columns(scene)) {
   for (const CheckDam& dam : scene.check_dams()) basins_.push_back(basin_behind(dam, scene));
 }
 

@@ -7,7 +7,7 @@
 namespace sabo {
 namespace {
 
-std::vector<std::string> header(const Scene& scene) {
+std::vector<std::string> gauge_columns(const Scene& scene) {
   std::vector<std::string> names{"time [s]"};
   for (const NamedGauge& gauge : scene.gauges)
     for (const char* column : {"depth [m]", "surface [m]", "speed [m/s]", "pressure [Pa]"})
@@ -18,7 +18,7 @@ std::vector<std::string> header(const Scene& scene) {
 }  // namespace
 
 Gauges::Gauges(const Scene& scene, const FlowModel& model, const RunFolder& folder)
-    : scene_(scene), model_(model), csv_(folder.series_file("gauges.csv"), header(scene)) {}
+    : scene_(scene), model_(model), csv_(folder.series_file("gauges.csv"), gauge_columns(scene)) {}
 
 void Gauges::write_row(double time, const Particles& fluid, const Columns& columns) {
   const Raster& ground = scene_.surface->elevation();

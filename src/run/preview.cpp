@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -16,6 +15,7 @@
 #include "case/material_presets.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
+#include "math/angle.hpp"
 #include "physics/viscosity_of_concentration.hpp"
 #include "run/amount_text.hpp"
 #include "run/memory_estimate.hpp"
@@ -28,7 +28,7 @@
 namespace sabo {
 namespace {
 
-double degrees_of(double slope) { return std::atan(slope) * 180 / std::numbers::pi; }
+double degrees_of(double slope) { return std::atan(slope) / degree; }
 
 /// A number of which the first digits matter: "870", "287 thousand", "3.4 million".
 std::string count_text(double count) {

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "analysis/resolution.hpp"
+#include "math/angle.hpp"
 #include "run/amount_text.hpp"
 
 namespace sabo {
@@ -40,7 +41,7 @@ void warn_of(Preview& preview, const InflowPlan& inflow, const SectionFlow& peak
     preview.warn(
         fmt::format("the ground rises in front of the inflow \"{}\", by {:.1f} deg in the "
                     "mean",
-                    inflow.name, std::atan(-inflow.section.fall()) * 180 / std::numbers::pi));
+                    inflow.name, std::atan(-inflow.section.fall()) / degree));
   const double volume = inflow.hydrograph.volume();
   const double in_time = inflow.hydrograph.volume_until(duration);
   if (in_time < 0.999 * volume)
@@ -61,7 +62,7 @@ void tell_inflows(Preview& preview, const Case& c, const Scene& scene) {
                              inflow.name, amount_text(hydrograph.volume()), hydrograph.end(),
                              hydrograph.discharge[row], hydrograph.time[row],
                              compass_word(inflow.section.direction()),
-                             std::atan(inflow.section.fall()) * 180 / std::numbers::pi));
+                             std::atan(inflow.section.fall()) / degree));
     preview.line("Inflow",
                  fmt::format("at its peak {:.2f} m deep, {:.1f} m wide, {:.1f} m2 at {:.1f} m/s; "
                              "level {:.2f} m",

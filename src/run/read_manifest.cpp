@@ -8,7 +8,6 @@
 namespace sabo {
 namespace {
 
-constexpr std::size_t max_manifest = 1'000'000;  // bytes
 constexpr const char* remedy = "give a folder that `sabo run` has written";
 
 }  // namespace
@@ -25,7 +24,7 @@ TomlTable parse_manifest(std::string_view text, const std::string& name) {
 
 TomlTable read_manifest(const std::filesystem::path& folder) {
   const std::filesystem::path file = folder / "manifest.toml";
-  const auto text = read_file(file, max_manifest);
+  const auto text = read_file(file, largest_manifest);
   if (!text)
     throw CaseError(folder.string(), "is not the folder of a run: it has no readable manifest.toml",
                     remedy);

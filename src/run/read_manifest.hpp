@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -7,6 +8,8 @@
 #include "io/case_file/toml_tree.hpp"
 
 namespace sabo {
+
+inline constexpr std::size_t largest_manifest = 1'000'000;  ///< bytes
 
 /// The text of a manifest, from the file `name`. Throws CaseError when it is no TOML or has no
 /// table [run].

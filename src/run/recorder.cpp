@@ -1,6 +1,7 @@
 #include "run/recorder.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <string>
 
 #include <fmt/format.h>
@@ -186,8 +187,11 @@ void Recorder::look(double time, Backend& backend) {
 void Recorder::sample_maps(double time, Backend& backend) {
   if (backend.device_bytes() == 0) return maps_.update(time, backend.fluid());
   mapping_.settle();
-  backend.copy_fluid(seen_);
-  mapping_.start([this, time] { maps_.update(time, seen_); });
+  const std::function<void()> fill_seen = backend.copy_fluid(seen_);
+  mapping_.start([this, time, fill_seen] {
+    fill_seen();
+    maps_.update(time, seen_);
+  });
 }
 
 void Recorder::finish(double time, const Particles& fluid) {

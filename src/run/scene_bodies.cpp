@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <utility>
 
 #include "geometry/mesh_topology.hpp"
@@ -11,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "io/mesh/read_mesh.hpp"
+#include "math/angle.hpp"
 #include "run/scene_lines.hpp"
 #include "solver/flow_model.hpp"
 
@@ -27,7 +27,7 @@ Vec3d vector_of(const std::array<double, 3>& numbers) {
 
 UprightBox box_of(const BodyCase& c, const Frame& frame) {
   const Vec3d low = moved(frame, vector_of(*c.min)), high = moved(frame, vector_of(*c.max));
-  return {low, high, 0.5 * (low + high), c.rotation * std::numbers::pi / 180};
+  return {low, high, 0.5 * (low + high), c.rotation * degree};
 }
 
 /// Single precision has 24 bits: coordinates of a map lose decimetres in it.

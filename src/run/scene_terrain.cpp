@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <utility>
 
 #include <fmt/format.h>
@@ -10,6 +9,7 @@
 #include "base/error.hpp"
 #include "io/gis/read_dem.hpp"
 #include "io/gis/read_raster.hpp"
+#include "math/angle.hpp"
 #include "run/scene_lines.hpp"
 #include "terrain/dem_difference.hpp"
 #include "terrain/tilted_plane.hpp"
@@ -22,7 +22,6 @@ constexpr double most_cells = 4e8;   // of a plane whose cells are given
 
 Raster plane_ground(const PlaneCase& c, double spacing, Scene& scene) {
   const auto& [west, south, east, north] = c.extent;
-  constexpr double degree = std::numbers::pi / 180;
   const TiltedPlane plane{
       west, south, east, north, c.elevation, std::tan(c.slope * degree), c.direction * degree};
   const double area = (east - west) * (north - south);

@@ -5,7 +5,7 @@
 namespace sabo {
 namespace {
 
-std::vector<std::string> header(const Scene& scene) {
+std::vector<std::string> section_columns(const Scene& scene) {
   std::vector<std::string> names{"time [s]"};
   for (const NamedSection& section : scene.sections)
     for (const char* column :
@@ -18,7 +18,7 @@ std::vector<std::string> header(const Scene& scene) {
 
 SectionStates::SectionStates(const Scene& scene, const FlowModel& model, const RunFolder& folder)
     : scene_(scene),
-      sections_csv_(folder.series_file("sections.csv"), header(scene)),
+      sections_csv_(folder.series_file("sections.csv"), section_columns(scene)),
       profiles_csv_(folder.series_file("velocity_profiles.csv"),
                     {"section", "time [s]", "height [m]", "area [m2]", "speed [m/s]"}) {
   for (const NamedSection& section : scene.sections)

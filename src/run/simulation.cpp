@@ -307,7 +307,7 @@ class Simulation {
 };
 
 /// "" where the bits will be those of a run that was never stopped.
-std::string origin_note(const CheckpointHead& head) {
+std::string checkpoint_note(const CheckpointHead& head) {
   std::string note;
   if (head.program != build_version) note += fmt::format(", written by sabo {}", head.program);
   if (head.machine != cpu_name()) note += fmt::format(", written on {}", head.machine);
@@ -324,7 +324,7 @@ std::unique_ptr<Simulation> resumed(const Case& c, const Scene& scene, const Run
           std::make_unique<Simulation>(c, scene, folder, options, BranchStart{0, scene.release});
       simulation->load(checkpoint);
       options.on_note(fmt::format("Goes on from {:.6g} s, {}{}", checkpoint.head.time,
-                                  checkpoint.file.string(), origin_note(checkpoint.head)));
+                                  checkpoint.file.string(), checkpoint_note(checkpoint.head)));
       return simulation;
     } catch (const RunError& error) {
       options.on_note(

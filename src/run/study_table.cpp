@@ -71,7 +71,7 @@ std::string remark_on(const StudyRow& row) {
   return fmt::format("{}", fmt::join(remarks, "; "));
 }
 
-std::string value_text(const std::optional<StudyRow::Value>& value) {
+std::string study_value_text(const std::optional<StudyRow::Value>& value) {
   if (!value) return "-";
   const std::string mean = number_text(value->scatter.mean);
   return value->runs > 1 ? fmt::format("{} (s {})", mean, number_text(value->scatter.deviation, 2))
@@ -122,7 +122,7 @@ PageTable quantities_table(const StudyTable& table) {
   for (const StudyRow& row : table.rows) {
     const GridConvergence& result = row.convergence;
     std::vector<std::string> cells{row.label};
-    for (const auto& value : row.at) cells.push_back(value_text(value));
+    for (const auto& value : row.at) cells.push_back(study_value_text(value));
     cells.push_back(result.has_limit() ? number_text(result.uncertainty) : "-");
     cells.push_back(result.has_limit() && result.order > 0 ? fmt::format("{:.2f}", result.order)
                                                            : "-");

@@ -22,9 +22,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t most_particles = 200'000;    // of a frame
-constexpr std::size_t most_cells = 160'000;        // of the ground
-constexpr std::size_t whole_map = 2 * most_cells;  // a map up to this size is shown whole
+constexpr std::size_t most_shown = 200'000;              // of a frame
+constexpr std::size_t most_shown_cells = 160'000;        // of the ground
+constexpr std::size_t whole_map = 2 * most_shown_cells;  // a map up to this size is shown whole
 constexpr double inliers = 0.995;  // share of a frame's particles that the colours reach
 
 /// The value that all but a few exceptions do not exceed; at least `least`.
@@ -77,7 +77,7 @@ ViewWriter::ViewWriter(fs::path folder, const Case& c, const Scene& scene)
   fs::remove_all(folder_, error);
   fs::create_directories(folder_, error);
   if (error) throw RunError("cannot make " + folder_.string() + ": " + error.message());
-  one_of_ = (scene.particles_until(c.run.duration) + most_particles - 1) / most_particles;
+  one_of_ = (scene.particles_until(c.run.duration) + most_shown - 1) / most_shown;
   one_of_ = std::max<std::size_t>(one_of_, 1);
 }
 
@@ -147,7 +147,7 @@ void ViewWriter::finish() {
   const double cells = wide * high / grid.cell_area();
   view_.stride = cells <= static_cast<double>(whole_map)
                      ? 1
-                     : static_cast<int>(std::ceil(std::sqrt(cells / most_cells)));
+                     : static_cast<int>(std::ceil(std::sqrt(cells / most_shown_cells)));
   view_.ground = thinned(elevation, window, view_.stride);
   write_file_atomically(folder_ / "index.html", view_page());
   write_file_atomically(folder_ / "scene.js", view_scene_script(view_));

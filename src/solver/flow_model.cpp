@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "math/angle.hpp"
 
 namespace sabo {
 namespace {
 
 WallShear wall_shear(const NumericsCase& numerics) {
-  const double slope = std::tan(numerics.wall_friction_angle * std::numbers::pi / 180);
+  const double slope = std::tan(numerics.wall_friction_angle * degree);
   const Coulomb friction{numerics.wall_cohesion, slope};
   switch (numerics.wall) {
     case WallLaw::coulomb:

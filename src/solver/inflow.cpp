@@ -18,9 +18,9 @@ constexpr double room = 0.7;  // spacings that a place needs to the nearest part
 double fraction(double x) { return x - std::floor(x); }
 
 /// Places of a section in the order in which a level fills them.
-class Places {
+class FillingOrder {
  public:
-  Places(const InflowPlan& plan, std::uint64_t layer) : plan_(plan) {
+  FillingOrder(const InflowPlan& plan, std::uint64_t layer) : plan_(plan) {
     const std::vector<Vec3d>& columns = plan.section.columns();
     for (std::size_t k = 0; k < columns.size(); ++k) {
       const double shift =
@@ -153,7 +153,7 @@ void Inflow::add_layer(Particles& fluid, const Tait& state, std::size_t count,
   const double depth = std::max(level - section.lowest(), plan_.spacing);
   const double weight =
       plan_.density * plan_.gravity * section.cosine() * section.cosine();  // Pa/m
-  Places places(plan_, layers_);
+  FillingOrder places(plan_, layers_);
   std::size_t row = fluid.size();
   fluid.resize(row + count);
   while (row < fluid.size()) {

@@ -9,8 +9,8 @@
 namespace sabo {
 namespace {
 
-constexpr double most_columns = 1e7;
-constexpr double most_particles = 1e8;
+constexpr double most_dam_columns = 1e7;
+constexpr double most_in_dam = 1e8;
 
 void refuse_unless_fits(double count, double most, const std::string& place) {
   if (count <= most) return;
@@ -22,16 +22,16 @@ void refuse_unless_fits(double count, double most, const std::string& place) {
 double parts(double whole, double longest) { return std::ceil(whole / longest - 1e-9); }
 
 /// The middle of a piece and its length, m.
-struct Place {
+struct Stretch {
   double at = 0;
   double length = 0;
 };
 
 /// Pieces of equal length, at most `longest` each and at least `fewest`.
-std::vector<Place> places(double from, double to, double longest, double fewest) {
+std::vector<Stretch> stretches(double from, double to, double longest, double fewest) {
   const double count = std::max(fewest, parts(to - from, longest));
   const double step = (to - from) / count;
-  std::vector<Place> result;
+  std::vector<Stretch> result;
   for (int k = 0; k < count; ++k) result.push_back({from + (k + 0.5) * step, step});
   return result;
 }
@@ -50,8 +50,8 @@ void add_column(const CheckDam& dam, const Surface& surface, const Foot& foot, d
     columns.push_back({foot.x, foot.y, part.bottom, part.top, area});
 }
 
-void add_straight(const CheckDam& dam, const Surface& surface, const Place& along,
-                  const Place& aside, std::vector<DamColumn>& columns) {
+void add_straight(const CheckDam& dam, const Surface& surface, const Stretch& along,
+                  const Stretch& aside, std::vector<DamColumn>& columns) {
   const Vec3d middle = point_at(dam.axis, along.at);
   const Vec3d direction = direction_at(dam.axis, along.at);
   const Foot foot{middle.x - aside.at * direction.y, middle.y + aside.at * direction.x, along.at,
@@ -76,7 +76,7 @@ void add_bend(const CheckDam& dam, const Surface& surface, double station, doubl
   if (std::abs(turn) < 1e-6) return;
   const double side = turn > 0 ? -1 : 1;  // left of the line is positive
   const double first = std::atan2(side * before.x, -side * before.y);
-  for (const Place& radius : places(0, dam.thickness / 2, spacing, 1)) {
+  for (const Stretch& radius : stretches(0, dam.thickness / 2, spacing, 1)) {
     const double count = std::max(1.0, parts(radius.at * std::abs(turn), spacing));
     const double area = radius.length * radius.at * std::abs(turn) / count;
     for (int k = 0; k < count; ++k) {
@@ -103,8 +103,8 @@ void add_bends(const CheckDam& dam, const Surface& surface, double spacing,
 
 std::vector<DamColumn> dam_columns(const CheckDam& dam, const Surface& surface, double spacing) {
   const std::string place = "structure " + dam.name;
-  refuse_unless_fits(parts(dam.thickness, spacing) * parts(length(dam.axis), spacing), most_columns,
-                     place);
+  refuse_unless_fits(parts(dam.thickness, spacing) * parts(length(dam.axis), spacing),
+                     most_dam_columns, place);
   std::vector<DamColumn> columns;
   const std::vector<double> stations = dam_stations(dam);
   for (std::size_t k = 1; k < stations.size(); ++k) {
@@ -113,16 +113,16 @@ std::vector<DamColumn> dam_columns(const CheckDam& dam, const Surface& surface, 
     // The wall, or what stays of it between openings, is a plate: it has a row under each face.
     const std::size_t core = (offsets.size() - 1) / 2;
     for (std::size_t j = 1; j < offsets.size(); ++j) {
-      const std::vector<Place> across =
-          places(offsets[j - 1], offsets[j], spacing, j - 1 == core ? 2 : 1);
-      for (const Place& along : places(stations[k - 1], stations[k], spacing, 1))
-        for (const Place& aside : across) add_straight(dam, surface, along, aside, columns);
+      const std::vector<Stretch> across =
+          stretches(offsets[j - 1], offsets[j], spacing, j - 1 == core ? 2 : 1);
+      for (const Stretch& along : stretches(stations[k - 1], stations[k], spacing, 1))
+        for (const Stretch& aside : across) add_straight(dam, surface, along, aside, columns);
     }
   }
   add_bends(dam, surface, spacing, columns);
   double particles = 0;
   for (const DamColumn& column : columns) particles += (column.top - column.bottom) / spacing;
-  refuse_unless_fits(particles, most_particles, place);
+  refuse_unless_fits(particles, most_in_dam, place);
   if (columns.empty()) {
     throw CaseError(place, "no part of the dam stands above the ground inside the DEM",
                     "check its line, its crest and its openings");

@@ -9,8 +9,6 @@ namespace {
 
 constexpr int bisections = 100;
 
-Vec3d in_plan(const Vec3d& x) { return {x.x, x.y, 0}; }
-
 /// Unit vector from the first vertex to the last, in plan; 0 if they are at one place.
 Vec3d chord_of(const std::vector<Vec3d>& vertices) {
   const Vec3d chord = in_plan(vertices.back() - vertices.front());

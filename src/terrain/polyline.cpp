@@ -7,11 +7,6 @@
 namespace sabo {
 namespace {
 
-Vec3d in_plan(Vec3d v) {
-  v.z = 0;
-  return v;
-}
-
 double length_in_plan(const Vec3d& v) { return std::hypot(v.x, v.y); }
 
 /// One straight piece of a line; pieces of no length are left out.

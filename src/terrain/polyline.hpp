@@ -24,6 +24,8 @@ struct LinePlace {
   double offset = 0;   ///< distance to the left of the line, m; negative to the right
 };
 
+inline Vec3d in_plan(const Vec3d& x) { return {x.x, x.y, 0}; }
+
 /// Total length in plan, m.
 double length(const Polyline& line);
 

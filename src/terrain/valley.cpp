@@ -5,11 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "math/angle.hpp"
+
 namespace sabo {
 namespace {
 
 constexpr double valley_length = 1200;
-constexpr double degree = std::numbers::pi / 180;
 
 /// Slope of the bed at a place; between the knots it changes linearly.
 struct Knot {

@@ -5,6 +5,8 @@
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
+
 // The sums of the paper written out once more, with full 3 x 3 tensors and nothing shared with the
 // program but the numbers of the model: Eqs. 4, 7, 10, 11, 13, 14, 16-18, 22-25.
 
@@ -61,7 +63,7 @@ void add_density_rate_and_stress(std::vector<Point>& points, Point& i) {
     }
   const double gd = std::sqrt(contraction / 2);
   i.p = c0 * c0 * rho0 / 7 * (std::pow(i.rho / rho0, 7) - 1);
-  const double tau_b = cohesion + (1 - r_u) * std::max(i.p, 0.0) * std::tan(phi * M_PI / 180);
+  const double tau_b = cohesion + (1 - r_u) * std::max(i.p, 0.0) * std::tan(phi * degree);
   const double k = mu_0 / tau_b;
   i.mu = (mu_0 + k * gd * mu_inf) / (1 + k * gd);
   for (int a = 0; a < 3; ++a)

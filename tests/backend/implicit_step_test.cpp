@@ -20,7 +20,7 @@ namespace {
 using test::add_particle;
 
 /// The oracle, with what it knows of the walls laid open.
-struct Opened : ReferenceBackend {
+struct OpenedReference : ReferenceBackend {
   using HostBackend::wall_drag_;
   using HostBackend::wall_share_;
   using ReferenceBackend::ReferenceBackend;
@@ -73,7 +73,7 @@ TEST(WallResistance, AddsUpToTheStressOverTheBed) {
     model.gravity = {9.81, 0, 0};  // along the bed: no weight to carry down to it
     model.wall = c.wall;
     model.periodic.period = {Vec3d{0.8, 0, 0}, Vec3d{0, 0.8, 0}, Vec3d{}};
-    const auto backend = std::make_unique<Opened>(model);
+    const auto backend = std::make_unique<OpenedReference>(model);
     test::add_block(backend->fluid(), model, {0, 8, 0, 8, 0, 6});
     test::add_block(backend->boundary(), model, {0, 8, 0, 8, -3, 0});
     for (std::size_t i = 0; i < backend->fluid().size(); ++i) {
@@ -89,7 +89,7 @@ TEST(WallResistance, AddsUpToTheStressOverTheBed) {
 }
 
 /// Sum of 2 V |grad S| over the particles above a bed.
-double bed_area(const Opened& backend, const Particles& fluid, const auto& counts) {
+double bed_area(const OpenedReference& backend, const Particles& fluid, const auto& counts) {
   double area = 0;
   for (std::size_t i = 0; i < fluid.size(); ++i)
     if (counts(fluid.position[i]))
@@ -103,7 +103,7 @@ TEST(WallArea, AddsUpToThatOfALevelBed) {
     model.dimension = dimension;
     model.periodic.period[0] = {0.8, 0, 0};
     if (dimension == 3) model.periodic.period[1] = {0, 0.8, 0};
-    Opened backend(model);
+    OpenedReference backend(model);
     test::add_block(backend.fluid(), model, {0, 8, 0, 8, 0, 6});
     test::add_block(backend.boundary(), model, {0, 8, 0, 8, -3, 0});
     prepare(backend);
@@ -127,7 +127,7 @@ TEST(WallArea, AddsUpToThatOfASlopeOfTheDem) {
   model.spacing = dp;
   model.h = 1.5 * dp;
   Ground ground(surface, {}, {dp, 3, 1000});
-  Opened backend(model);
+  OpenedReference backend(model);
   const Vec3d along{std::cos(angle), 0, -std::sin(angle)},
       normal{std::sin(angle), 0, std::cos(angle)};
   for (int k = 0; k < 5; ++k)
@@ -180,7 +180,8 @@ std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<doubl
 }
 
 /// (M + dt K + dt D) v' = M (v + dt a) + dt D w, written out for the component c.
-std::vector<double> dense_step(const Opened& backend, const Particles& fluid, double dt, int c) {
+std::vector<double> dense_step(const OpenedReference& backend, const Particles& fluid, double dt,
+                               int c) {
   const auto component = [c](const Vec3d& v) { return c == 0 ? v.x : c == 1 ? v.y : v.z; };
   const auto kernel = backend.model().kernel<double>();
   const std::size_t n = fluid.size();
@@ -224,7 +225,7 @@ TEST(ImplicitStep, EqualsADenseSolve) {
   FlowModel model = viscous(1);
   model.gravity = {1, 0, -9.81};
   model.walls_move = true;
-  Opened backend(model);
+  OpenedReference backend(model);
   test::fill(backend, {}, 4);
   for (Vec3d& v : backend.boundary().velocity) v = {0.5, 0.1, 0};
   for (std::size_t i = 0; i < backend.fluid().size(); ++i)
@@ -248,7 +249,7 @@ TEST(ImplicitStep, NeverAddsKineticEnergy) {
   std::mt19937 random(11);
   std::uniform_real_distribution<double> u(0, 1);
   for (int trial = 0; trial < 20; ++trial) {
-    Opened backend(viscous(1));
+    OpenedReference backend(viscous(1));
     test::fill(backend, {}, 4);
     for (std::size_t i = 0; i < backend.fluid().size(); ++i) {
       backend.fluid().viscosity[i] = std::pow(10, 6 * u(random) - 2);
@@ -275,7 +276,7 @@ TEST(WallResistance, IsThatOfTheWholeVelocity) {
   std::vector<double> drag[2];
   for (const bool is_across : {false, true}) {
     model.periodic.period = {Vec3d{0.8, 0, 0}, Vec3d{0, 0.8, 0}, Vec3d{}};
-    Opened backend(model);
+    OpenedReference backend(model);
     test::add_block(backend.fluid(), model, {0, 8, 0, 8, 0, 6});
     test::add_block(backend.boundary(), model, {0, 8, 0, 8, -3, 0});
     backend.fluid().velocity.assign(backend.fluid().size(),

@@ -145,7 +145,7 @@ FlowModel model_of(int dimension, const WallShear& wall) {
   return model;
 }
 
-void expect_every_backend_agrees(const FlowModel& plain, Cloud cloud) {
+void expect_steps_agree(const FlowModel& plain, Cloud cloud) {
   const FlowModel model = test::in_cloud(plain, cloud);
   const Step expected = step_of(Opened<ReferenceBackend>(model), cloud);
   for (const PairSweeps* sweeps : all_pair_sweeps()) {
@@ -160,7 +160,7 @@ class ImplicitSweeps : public testing::TestWithParam<std::tuple<int, Cloud, Wall
 
 TEST_P(ImplicitSweeps, AgreeToSinglePrecision) {
   const auto& [dimension, cloud, wall] = GetParam();
-  expect_every_backend_agrees(model_of(dimension, wall), cloud);
+  expect_steps_agree(model_of(dimension, wall), cloud);
 }
 
 INSTANTIATE_TEST_SUITE_P(PlacesAndWalls, ImplicitSweeps,
@@ -184,7 +184,7 @@ TEST(ImplicitSweeps, AgreeForEveryOtherSwitch) {
   FlowModel central = model_of(3, NoSlip{});
   central.central = {30, {0.2, 0.5, -0.4}};
   for (const FlowModel& model : {artificial, moving, printed, shifted, torn, central})
-    expect_every_backend_agrees(model, Cloud::free);
+    expect_steps_agree(model, Cloud::free);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@ namespace sabo {
 namespace {
 
 template <class Base>
-struct Opened : Base {
+struct OpenedFilling : Base {
   using Base::Base;
   using Base::filling_;
 };
@@ -42,9 +42,9 @@ void expect_no_borders(int dimension) {
 
 TEST(PeriodicBox, HasNoBordersInAnyDirection) {
   for (const int dimension : {2, 3}) {
-    expect_no_borders<Opened<ReferenceBackend>>(dimension);
-    expect_no_borders<Opened<CpuBackend>>(dimension);
-    expect_no_borders<Opened<DeviceBackendOnHost>>(dimension);
+    expect_no_borders<OpenedFilling<ReferenceBackend>>(dimension);
+    expect_no_borders<OpenedFilling<CpuBackend>>(dimension);
+    expect_no_borders<OpenedFilling<DeviceBackendOnHost>>(dimension);
   }
 }
 

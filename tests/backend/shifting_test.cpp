@@ -34,12 +34,12 @@ void fill(Backend& backend, int cells) {
   }
 }
 
-struct State {
+struct Shifted {
   std::map<std::uint32_t, Vec3d> position, velocity;
   double density = 0;  ///< mean
 };
 
-State stepped_once(test::On kind, double shifting, bool is_periodic) {
+Shifted stepped_once(test::On kind, double shifting, bool is_periodic) {
   FlowModel model = sheared(shifting);
   if (is_periodic) model.periodic.period = {Vec3d{2, 0, 0}, Vec3d{}, Vec3d{0, 0, 2}};
   const auto backend = test::make_backend(kind, model);
@@ -47,7 +47,7 @@ State stepped_once(test::On kind, double shifting, bool is_periodic) {
   FastStepper stepper(*backend, test::fast_rule_of(model), nullptr);
   stepper.step(2e-3);
   const Particles& fluid = backend->fluid();
-  State state;
+  Shifted state;
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     state.position[fluid.id[i]] = fluid.position[i];
     state.velocity[fluid.id[i]] = fluid.velocity[i];
@@ -58,7 +58,7 @@ State stepped_once(test::On kind, double shifting, bool is_periodic) {
 
 TEST(Shifting, MovesTheInsideALittleAndNothingElse) {
   for (const test::On kind : test::backends()) {
-    const State plain = stepped_once(kind, 0, false), shifted = stepped_once(kind, 20, false);
+    const Shifted plain = stepped_once(kind, 0, false), shifted = stepped_once(kind, 20, false);
     int moved = 0;
     for (const auto& [id, x] : plain.position) {
       const double distance = norm(shifted.position.at(id) - x);
@@ -77,8 +77,8 @@ TEST(Shifting, MovesTheInsideALittleAndNothingElse) {
 // Density falls as the mean filling does, to first order in the shifts.
 TEST(Shifting, TakesFillingAndDensityBackTogether) {
   for (const test::On kind : test::backends()) {
-    const State plain = stepped_once(kind, 0, true), shifted = stepped_once(kind, 4, true);
-    const auto filling = [](const State& state) {
+    const Shifted plain = stepped_once(kind, 0, true), shifted = stepped_once(kind, 4, true);
+    const auto filling = [](const Shifted& state) {
       const auto kernel = WendlandC2<double>::make(1.5 * dp, 2);
       double sum = 0;
       for (const auto& [i, x] : state.position)

@@ -10,7 +10,7 @@ using Vec3i = Vec3<int>;
 using Sym3i = Sym3<int>;
 
 int small() { return *rc::gen::inRange(-100, 100); }  // no product overflows
-Vec3i small_vector() { return {small(), small(), small()}; }
+Vec3i smaller_vector() { return {small(), small(), small()}; }
 Sym3i small_tensor() { return {small(), small(), small(), small(), small(), small()}; }
 
 // | 1 2 3 |
@@ -48,17 +48,17 @@ TEST(Sym3, SymmetricProductByHand) {
 RC_GTEST_PROP(Sym3, IsSymmetricAndLinear, ()) {
   const Sym3i a = small_tensor();
   const Sym3i b = small_tensor();
-  const Vec3i u = small_vector();
-  const Vec3i v = small_vector();
+  const Vec3i u = smaller_vector();
+  const Vec3i v = smaller_vector();
   RC_ASSERT(dot(u, a * v) == dot(a * u, v));
   RC_ASSERT((a + b) * v == a * v + b * v);
   RC_ASSERT(double_dot(a, b) == double_dot(b, a));
 }
 
 RC_GTEST_PROP(Sym3, SymmetricProductActsLikeItsDyads, ()) {
-  const Vec3i a = small_vector();
-  const Vec3i b = small_vector();
-  const Vec3i v = small_vector();
+  const Vec3i a = smaller_vector();
+  const Vec3i b = smaller_vector();
+  const Vec3i v = smaller_vector();
   RC_ASSERT(symmetric_product(a, b) * v == dot(b, v) * a + dot(a, v) * b);
   RC_ASSERT(trace(symmetric_product(a, b)) == 2 * dot(a, b));
 }

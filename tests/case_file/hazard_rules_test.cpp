@@ -11,7 +11,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
-std::vector<std::string> faults_of(const std::string& text) {
+std::vector<std::string> rule_faults(const std::string& text) {
   Faults faults;
   read_hazard_rules(text, "my.toml", faults);
   std::vector<std::string> lines;
@@ -65,39 +65,39 @@ TEST(HazardRulesFile, JapaneseHouse) {
 }
 
 TEST(HazardRulesFile, FaultsHaveALineAndARemedy) {
-  EXPECT_THAT(faults_of(smallest), IsEmpty());
-  EXPECT_THAT(faults_of(smallest + "colur = \"#000000\"\n"),
+  EXPECT_THAT(rule_faults(smallest), IsEmpty());
+  EXPECT_THAT(rule_faults(smallest + "colur = \"#000000\"\n"),
               ElementsAre("my.toml:6 class[1].colur: unknown key; did you mean \"colour\"?"));
-  EXPECT_THAT(faults_of("name = 1\nsource = \"x\"\n"),
+  EXPECT_THAT(rule_faults("name = 1\nsource = \"x\"\n"),
               testing::Contains(HasSubstr("my.toml:1 name: is not a text")));
-  EXPECT_THAT(faults_of(smallest + "when = [{ dept = 1 }]\n"),
+  EXPECT_THAT(rule_faults(smallest + "when = [{ dept = 1 }]\n"),
               ElementsAre(HasSubstr("my.toml:6 class[1].when: \"dept\" is not known; use one of: "
                                     "depth, deposit")));
-  EXPECT_THAT(faults_of(smallest + "when = [{ depth = -1 }]\n"),
+  EXPECT_THAT(rule_faults(smallest + "when = [{ depth = -1 }]\n"),
               ElementsAre(HasSubstr("the threshold of depth is not a number in range")));
-  EXPECT_THAT(faults_of(smallest + "when = []\n"), ElementsAre(HasSubstr("list of conditions")));
-  EXPECT_THAT(faults_of(smallest + "when = [{}]\n"), ElementsAre(HasSubstr("empty condition")));
-  EXPECT_THAT(faults_of(smallest + "when = [{ impact_over_house = 1 }]\n"),
+  EXPECT_THAT(rule_faults(smallest + "when = []\n"), ElementsAre(HasSubstr("list of conditions")));
+  EXPECT_THAT(rule_faults(smallest + "when = [{}]\n"), ElementsAre(HasSubstr("empty condition")));
+  EXPECT_THAT(rule_faults(smallest + "when = [{ impact_over_house = 1 }]\n"),
               ElementsAre(HasSubstr("house: is missing")));
-  EXPECT_THAT(faults_of(smallest + "[[class]]\nname = \"wet\"\ncolour = \"red\"\n"),
+  EXPECT_THAT(rule_faults(smallest + "[[class]]\nname = \"wet\"\ncolour = \"red\"\n"),
               ElementsAre(HasSubstr("class[2].colour: is not a colour"),
                           HasSubstr("class[2].name: \"wet\" is there twice")));
-  EXPECT_THAT(faults_of("name = \"a\"\nsource = \"b\"\n"),
+  EXPECT_THAT(rule_faults("name = \"a\"\nsource = \"b\"\n"),
               ElementsAre(HasSubstr("class: is missing")));
 }
 
 TEST(HazardRulesFile, AMatrixHasALevelForEachClassAndPeriod) {
   const std::string levels = smallest + "[[level]]\nname = \"red\"\ncolour = \"#ff0000\"\n";
   EXPECT_THAT(
-      faults_of(levels + "[matrix]\nreturn_periods = [30, 100]\nwet = [\"red\", \"red\"]\n"),
+      rule_faults(levels + "[matrix]\nreturn_periods = [30, 100]\nwet = [\"red\", \"red\"]\n"),
       IsEmpty());
-  EXPECT_THAT(faults_of(levels + "[matrix]\nreturn_periods = [30, 100]\nwet = [\"red\"]\n"),
+  EXPECT_THAT(rule_faults(levels + "[matrix]\nreturn_periods = [30, 100]\nwet = [\"red\"]\n"),
               ElementsAre(HasSubstr("matrix.wet: has not one level for each return period")));
-  EXPECT_THAT(faults_of(levels + "[matrix]\nreturn_periods = [30]\n"),
+  EXPECT_THAT(rule_faults(levels + "[matrix]\nreturn_periods = [30]\n"),
               ElementsAre(HasSubstr("matrix.wet: is missing")));
-  EXPECT_THAT(faults_of(levels + "[matrix]\nreturn_periods = [30]\nwet = [\"rde\"]\n"),
+  EXPECT_THAT(rule_faults(levels + "[matrix]\nreturn_periods = [30]\nwet = [\"rde\"]\n"),
               ElementsAre(HasSubstr("\"rde\" is no level; use one of: red")));
-  EXPECT_THAT(faults_of(levels + "[matrix]\nreturn_periods = [30, 20]\nwet = [\"red\"]\n"),
+  EXPECT_THAT(rule_faults(levels + "[matrix]\nreturn_periods = [30, 20]\nwet = [\"red\"]\n"),
               ElementsAre(HasSubstr("return_periods: do not rise")));
 }
 

@@ -8,19 +8,19 @@ namespace {
 using testing::ElementsAre;
 using testing::IsEmpty;
 
-const std::string line = "[[inflow]]\nline = [[0, 0], [0, 5]]\n";
+const std::string inflow_line = "[[inflow]]\nline = [[0, 0], [0, 5]]\n";
 const std::string surge = "[[inflow.surge]]\npeak_time = 2\nend = 5\npeak_discharge = 3\n";
 
 /// Faults of the smallest case with an inflow, whose keys start at line 13.
 std::vector<std::string> inflow(const std::string& keys) {
-  return messages(smallest_case + line + keys);
+  return messages(smallest_case + inflow_line + keys);
 }
 
 TEST(InflowRules, AnInflowStandsInForARelease) {
   EXPECT_THAT(inflow(surge), IsEmpty());
   const std::string alone =
       with(smallest_case, "[release]\npolygon = \"release.gpkg\"\nvolume = 100\n", "");
-  EXPECT_THAT(messages(alone + line + surge), IsEmpty());
+  EXPECT_THAT(messages(alone + inflow_line + surge), IsEmpty());
 }
 
 TEST(InflowRules, OneWayOfDischarge) {

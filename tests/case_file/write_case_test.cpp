@@ -31,7 +31,7 @@ std::string text() {
 }
 bool chance() { return *rc::gen::arbitrary<bool>(); }
 
-LineSource line(std::size_t least_points, bool has_z) {
+LineSource random_line(std::size_t least_points, bool has_z) {
   if (chance()) return {folder_with_files() / "path.gpkg", {}, false};
   LineSource result;
   result.has_z = has_z;
@@ -43,11 +43,11 @@ LineSource line(std::size_t least_points, bool has_z) {
   return result;
 }
 
-StructureCase structure(const std::string& name) {
+StructureCase random_structure(const std::string& name) {
   StructureCase dam;
   dam.name = name;
   const bool has_z = chance();
-  dam.line = line(2, has_z);
+  dam.line = random_line(2, has_z);
   dam.thickness = number(0.1, 20);
   if (!dam.line.has_z) (chance() ? dam.crest : dam.height) = number(3, 100);
   if (chance()) dam.notch = NotchCase{0, number(0.1, 9), number(0.1, 2), number(0, 3)};
@@ -65,7 +65,7 @@ struct Randomise {
 
 TerrainEditCase terrain_edit(const std::string& name) {
   TerrainEditCase edit{name,
-                       line(3, false),
+                       random_line(3, false),
                        *rc::gen::element(TerrainEditKind::set, TerrainEditKind::lower,
                                          TerrainEditKind::raise, TerrainEditKind::smooth),
                        {},
@@ -79,7 +79,7 @@ TerrainEditCase terrain_edit(const std::string& name) {
 }
 
 /// Each kind of body, with the keys of its kind.
-BodyCase body(const std::string& name) {
+BodyCase random_body(const std::string& name) {
   BodyCase result;
   result.name = name;
   result.kind = *rc::gen::element(BodyKind::box, BodyKind::tank, BodyKind::mesh);
@@ -112,7 +112,7 @@ ReleaseCase arbitrary_release(const std::filesystem::path& folder) {
   ReleaseCase release;
   switch (*rc::gen::inRange(0, 6)) {
     case 0:
-      release.polygon = line(3, chance());
+      release.polygon = random_line(3, chance());
       (chance() ? release.thickness : release.volume) = number(0.1, 10);
       release.normal = chance();
       break;
@@ -186,14 +186,14 @@ Case arbitrary_case() {
     set_viscosity(c.material.law, viscosity_of_concentration(*c.material.concentration));
   }
   for (int i = 0; i < *rc::gen::inRange(0, 3); ++i) {
-    c.structures.push_back(structure("dam " + std::to_string(i)));
-    c.bodies.push_back(body("body " + std::to_string(i)));
-    c.sections.push_back({text() + std::to_string(i), line(2, false)});
-    c.zones.push_back({text() + std::to_string(i), line(3, false), {}, text()});
+    c.structures.push_back(random_structure("dam " + std::to_string(i)));
+    c.bodies.push_back(random_body("body " + std::to_string(i)));
+    c.sections.push_back({text() + std::to_string(i), random_line(2, false)});
+    c.zones.push_back({text() + std::to_string(i), random_line(3, false), {}, text()});
     if (chance()) c.zones.back().observed = number(0, 9);
     c.terrain.edits.push_back(terrain_edit("edit " + std::to_string(i)));
   }
-  if (chance()) c.path.line = line(2, chance());
+  if (chance()) c.path.line = random_line(2, chance());
   if (chance()) c.references.push_back({"a " + text(), number(0, 9), std::nullopt, number(0, 9)});
   c.numerics.describe(Randomise{});
   c.numerics.reference_speed += 0.1;  // for the case without gravity

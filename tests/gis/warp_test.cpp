@@ -16,10 +16,10 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsNan;
 
-const OGRSpatialReference none;
+const OGRSpatialReference no_crs;
 
 Raster resized(const Raster& raster, double cell_size) {
-  return warp(raster, none, plan_warp(raster.grid, none, none, cell_size), none);
+  return warp(raster, no_crs, plan_warp(raster.grid, no_crs, no_crs, cell_size), no_crs);
 }
 
 Raster square(std::vector<double> values) {

@@ -2,13 +2,13 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 #include <rapidcheck/gtest.h>
 
 #include "io/output/depth_canvas.hpp"
+#include "math/angle.hpp"
 
 namespace sabo {
 namespace {
@@ -34,8 +34,7 @@ TEST(CameraAround, LooksWhereItIsToldTo) {
   EXPECT_NEAR(east.project(points[0]).x, 10, 1e-9);
   EXPECT_NEAR(east.project(points[1]).x, 190, 1e-9);
   EXPECT_NEAR(east.project(points[0]).y, 50, 1e-9);
-  EXPECT_NEAR(east.project(points[0]).distance, 10 / (0.9 * std::tan(20 * std::numbers::pi / 180)),
-              1e-9);
+  EXPECT_NEAR(east.project(points[0]).distance, 10 / (0.9 * std::tan(20 * degree)), 1e-9);
   const Camera plan = camera_around(points, {0, 90}, 200, 100, 1);
   EXPECT_NEAR(plan.project(points[0]).y, 5, 1e-9);  // north is up
   EXPECT_NEAR(plan.project(points[1]).y, 95, 1e-9);

@@ -15,18 +15,18 @@ namespace {
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Hydrograph parsed(const std::string& text) {
+Hydrograph hydrograph_of(const std::string& text) {
   return parse_hydrograph(text, "inflow[1].hydrograph", "q.csv");
 }
 
 TEST(ReadHydrograph, TakesColumnsInAnyOrderWithOrWithoutUnits) {
-  const Hydrograph h = parsed(
+  const Hydrograph h = hydrograph_of(
       "\xEF\xBB\xBF"
       "Discharge [m3/s], time\r\n0,0\r\n\r\n 2.5 ,10\r\n");
   EXPECT_THAT(h.time, ElementsAre(0, 10));
   EXPECT_THAT(h.discharge, ElementsAre(0, 2.5));
   EXPECT_TRUE(h.speed.empty());
-  EXPECT_THAT(parsed("time [s],discharge [m3/s],speed [m/s]\n0,0,0\n1,2,3").speed,
+  EXPECT_THAT(hydrograph_of("time [s],discharge [m3/s],speed [m/s]\n0,0,0\n1,2,3").speed,
               ElementsAre(0, 3));  // the last line needs no end
 }
 
@@ -52,7 +52,7 @@ TEST(ReadHydrograph, SaysWhatIsWrongAndWhere) {
                {"time,discharge\n0,0\n1,0\n", "has no discharge"},
                {"time,discharge,speed\n0,0,0\n1,2,0\n", "a discharge of 2 m3/s has no speed"}};
   for (const auto& [text, message] : cases) {
-    const std::string fault = to_string(fault_of([text = text] { parsed(text); }));
+    const std::string fault = to_string(fault_of([text = text] { hydrograph_of(text); }));
     EXPECT_THAT(fault, HasSubstr("inflow[1].hydrograph")) << text;
     EXPECT_THAT(fault, HasSubstr(message)) << text;
   }
@@ -64,7 +64,7 @@ RC_GTEST_PROP(ReadHydrograph, TakesOrRefusesAnyText, ()) {
   for (const std::string& all :
        {text, "time,discharge\n" + text, "time,discharge,speed\n0,1,1\n" + text}) {
     try {
-      const Hydrograph h = parsed(all);
+      const Hydrograph h = hydrograph_of(all);
       RC_ASSERT(h.volume() > 0 && std::isfinite(h.volume()));
     } catch (const CaseError&) {
     }

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
+
 namespace sabo {
 namespace {
 
@@ -49,7 +51,7 @@ TEST(Voellmy, AddsTheSquareOfTheSpeed) {
 // Depth 2 m on a slope of 20 deg, tan(delta) 0.2, xi 500: gravity along the slope and the wall
 // balance at v^2 = xi h (sin - cos tan(delta)): 12.4 m/s (Voellmy 1955).
 TEST(Voellmy, HasItsTerminalSpeed) {
-  const double slope = 20 * M_PI / 180, depth = 2;
+  const double slope = 20 * degree, depth = 2;
   const double v = std::sqrt(500 * depth * (std::sin(slope) - 0.2 * std::cos(slope)));
   EXPECT_NEAR(v, 12.4, 0.05);
   const WallContact at{v, 2000 * 9.81 * depth * std::cos(slope), 2000, 9.81, 1e9};

@@ -8,17 +8,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/gis/raster_file.hpp"
-
 namespace sabo {
 namespace {
 
 using testing::HasSubstr;
 using testing::Not;
-
-Raster map_of(const std::filesystem::path& folder, const std::string& name) {
-  return RasterFile(folder / "maps" / (name + ".tif"), "map").read();
-}
 
 class CompareRuns : public testing::Test {
  protected:

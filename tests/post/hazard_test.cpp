@@ -7,17 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "io/gis/raster_file.hpp"
 #include "io/gis/read_vectors.hpp"
 
 namespace sabo {
 namespace {
 
 using testing::HasSubstr;
-
-Raster map_of(const std::filesystem::path& folder, const std::string& name) {
-  return RasterFile(folder / "maps" / (name + ".tif"), "map").read();
-}
 
 class Hazard : public testing::Test {
  protected:

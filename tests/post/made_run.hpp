@@ -11,6 +11,7 @@
 #include "support/temporary_folder.hpp"
 
 #include "io/gis/crs.hpp"
+#include "io/gis/raster_file.hpp"
 #include "io/gis/write_raster.hpp"
 #include "terrain/raster.hpp"
 
@@ -20,6 +21,11 @@ inline std::string file_text(const std::filesystem::path& file) {
   std::ostringstream text;
   text << std::ifstream(file, std::ios::binary).rdbuf();
   return text.str();
+}
+
+/// A map in the folder of a result.
+inline Raster map_of(const std::filesystem::path& folder, const std::string& name) {
+  return RasterFile(folder / "maps" / (name + ".tif"), "map").read();
 }
 
 /// WKT of UTM zone 54 north.

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "io/case_file/read_case.hpp"
+#include "math/angle.hpp"
 #include "physics/equation_of_state.hpp"
 #include "run/new_case.hpp"
 #include "run/preview.hpp"
@@ -87,7 +88,7 @@ TEST(PlaneScene, OnATiltedPlaneThePathGoesDown) {
   ASSERT_TRUE(world.faults.empty()) << world.messages().front();
   EXPECT_LT(scene.path.vertices.back().y, 0.5);
   EXPECT_NEAR(scene.path.vertices.back().x, 2, 0.3);
-  EXPECT_NEAR(scene.surface->height(5, 1), -2 + std::tan(20 * M_PI / 180), 1e-9);
+  EXPECT_NEAR(scene.surface->height(5, 1), -2 + std::tan(20 * degree), 1e-9);
 }
 
 TEST(BodiesScene, TellsWhatTheBodiesAre) {

@@ -12,11 +12,13 @@
 #include "analysis/section.hpp"
 #include "analysis/tracks.hpp"
 #include "io/output/plan_file.hpp"
+#include "math/angle.hpp"
 #include "run/channel.hpp"
 #include "run/finished_run.hpp"
 #include "run/flow.hpp"
 #include "run/memory_estimate.hpp"
 #include "run/preview.hpp"
+#include "run/scene_of.hpp"
 #include "solver/flow_model.hpp"
 #include "terrain/bilinear.hpp"
 
@@ -36,13 +38,6 @@ Case case_of(const std::string& text, const std::string& numerics = "wall = \"sl
                           repository() / "examples/inflow", faults);
   for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
   return c;
-}
-
-Scene scene_of(const Case& c) {
-  Faults faults;
-  Scene scene = make_scene(c, faults);
-  for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
-  return scene;
 }
 
 /// What is wrong with an inflow of the channel, given by its keys.
@@ -77,7 +72,7 @@ TEST(Inflow, BringsItsDischargeAtEachTimeAndToASectionDownstream) {
   const Case c = case_of(inflow + steady);
   const Scene scene = scene_of(c);
   const InflowPlan& plan = scene.inflows.front();
-  EXPECT_NEAR(plan.flow_at_peak().depth, 1 / std::cos(3 * M_PI / 180), 0.01);
+  EXPECT_NEAR(plan.flow_at_peak().depth, 1 / std::cos(3 * degree), 0.01);
   Flow flow(c, scene);
   const Vec3d origin{scene.frame.origin_x, scene.frame.origin_y, 0};
   Section section({{Vec3d{6, 1.4, 0} - origin, Vec3d{6, 3.6, 0} - origin}, false});

@@ -13,6 +13,7 @@
 #include "io/case_file/read_case.hpp"
 #include "run/finished_run.hpp"
 #include "run/flow.hpp"
+#include "run/scene_of.hpp"
 #include "run/simulation.hpp"
 
 // Mud of 0.4 m in a tank, which breaks, meets a wall and comes to rest.
@@ -50,13 +51,6 @@ Case read(const std::string& text) {
   Case c = read_case_text(text, "/", faults);
   for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
   return c;
-}
-
-Scene scene_of(const Case& c) {
-  Faults faults;
-  Scene scene = make_scene(c, faults);
-  for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
-  return scene;
 }
 
 using test::archived;

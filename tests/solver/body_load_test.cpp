@@ -7,9 +7,8 @@
 namespace sabo {
 namespace {
 
+using test::g;
 using test::plain_model;
-
-constexpr double g = 9.81;
 
 FlowModel water(double spacing, double depth) {
   FlowModel model = plain_model(spacing, 10 * std::sqrt(g * depth), 1e-3);
@@ -23,12 +22,6 @@ FlowModel water(double spacing, double depth) {
 Vec3d momentum(const Particles& fluid) {
   Vec3d sum;
   for (std::size_t i = 0; i < fluid.size(); ++i) sum += fluid.mass[i] * fluid.velocity[i];
-  return sum;
-}
-
-double mass(const Particles& fluid) {
-  double sum = 0;
-  for (const double m : fluid.mass) sum += m;
   return sum;
 }
 
@@ -55,7 +48,7 @@ void expect_momentum_kept(Method method, test::On kind, FlowModel model) {
 
   ASSERT_EQ(stepper->body_impulses().size(), 2u);
   const Vec3d floor = stepper->body_impulses()[0].force, post = stepper->body_impulses()[1].force;
-  const Vec3d weight = stepper->time() * mass(backend->fluid()) * model.gravity;
+  const Vec3d weight = stepper->time() * test::mass_of(backend->fluid()) * model.gravity;
   const Vec3d lost = weight + before - momentum(backend->fluid());
   EXPECT_LT(norm(floor + post - lost), tolerance * norm(lost));
   EXPECT_LT(floor.z, -0.2 * norm(lost));  // it carries

@@ -10,7 +10,7 @@ namespace sabo {
 namespace {
 
 /// A level floor at z = 0 of 20 x 20 m around the origin, vertices every metre.
-Surface level_floor() {
+Surface wide_floor() {
   Grid grid{21, 21, -10.5, 10.5, 1, 1};
   return Surface(Raster(grid, 0.0));
 }
@@ -29,7 +29,7 @@ std::unique_ptr<Backend> flow_at(const std::vector<Vec3d>& positions) {
 }
 
 TEST(Domain, TakesOutWhatLeftThePlan) {
-  const Surface floor = level_floor();
+  const Surface floor = wide_floor();
   Ground ground(floor, {}, {0.5, 3, 1000});
   Domain domain(ground);
   const auto flow = flow_at({{0, 0, 1}, {25, 0, 1}, {0, -25, 1}});
@@ -44,7 +44,7 @@ TEST(Domain, TakesOutWhatLeftThePlan) {
 }
 
 TEST(Domain, PutsBackWhatIsBelowTheGroundAndCountsIt) {
-  const Surface floor = level_floor();
+  const Surface floor = wide_floor();
   Ground ground(floor, {}, {0.5, 3, 1000});
   Domain domain(ground);
   const auto flow = flow_at({{0, 0, -0.2}, {1, 0, 0.2}});
@@ -59,7 +59,7 @@ TEST(Domain, PutsBackWhatIsBelowTheGroundAndCountsIt) {
 }
 
 TEST(Domain, MakesGroundOnlyNearTheFlow) {
-  const Surface floor = level_floor();
+  const Surface floor = wide_floor();
   Ground ground(floor, {}, {0.5, 3, 1000});
   Domain domain(ground);
   const auto flow = flow_at({{-8, -8, 1}});

@@ -4,13 +4,15 @@
 #include "verify/slab_solution.hpp"
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
+
 // A slab 3.75 m thick of a Cross fluid with internal friction starts from rest on an infinite
 // slope: the fast method against the same fluid in one dimension.
 
 namespace sabo {
 namespace {
 
-constexpr double degree = M_PI / 180, depth = 3.75;
+constexpr double slab_depth = 3.75;
 
 struct Slab {
   double slope = 33 * degree;
@@ -24,16 +26,16 @@ double mean_speed(const Slab& slab, double time) {
   layer.model.dimension = slab.dimension;
   layer.cells = slab.layers;
   layer.period = slab.dimension == 2 ? 12 : 8;
-  layer.model.spacing = depth / slab.layers;
+  layer.model.spacing = slab_depth / slab.layers;
   layer.model.h = 1.5 * layer.model.spacing;
-  layer.model.state = {1726, 10 * std::sqrt(9.81 * depth)};
+  layer.model.state = {1726, 10 * std::sqrt(9.81 * slab_depth)};
   layer.model.gravity = {9.81 * std::sin(slab.slope), 0, -9.81 * std::cos(slab.slope)};
   layer.model.diffusion_form = DiffusionForm::fourtakas;
   layer.model.rheology = Cross{1255, slab.ratio, 1};
   layer.model.yield = {0, 28, 0};
   layer.model.threads = 1;
   const auto backend = layer.make();
-  test::make_hydrostatic(*backend, depth);
+  test::make_hydrostatic(*backend, slab_depth);
   const auto stepper = test::stepper_of(Method::fast, *backend);
   stepper->advance_to(time);
   double sum = 0;
@@ -79,7 +81,7 @@ TEST(FastSlab, ComesNearerWithMoreLayers) {
 TEST(FastSlab, OnlyCreepsBelowTheFrictionAngle) {
   const double r = std::tan(16 * degree) / std::tan(28 * degree);
   const double creep = r / (1 - r) * 1726 * 9.81 * std::cos(16 * degree) * std::tan(28 * degree) *
-                       depth * depth / (3 * 1255e3);
+                       slab_depth * slab_depth / (3 * 1255e3);
   EXPECT_NEAR(creep, 0.0378, 1e-4);
   EXPECT_NEAR((mean_speed({16 * degree, 1e3, 2, 10}, 2)), creep, 0.1 * creep);
 }

@@ -13,7 +13,7 @@ namespace sabo {
 namespace {
 
 /// A bumpy slope that falls by 0.5 m per m along x, 60 x 30 m.
-Surface slope() {
+Surface rough_slope() {
   Grid grid{61, 31, -0.5, 30.5, 1, 1};
   Raster elevation(grid);
   for (int row = 0; row < grid.rows; ++row)
@@ -48,7 +48,7 @@ Slide slide(const Surface& surface, int threads) {
 }
 
 TEST(FastStepper, GivesTheSameBitsForAnyNumberOfThreads) {
-  const Surface surface = slope();
+  const Surface surface = rough_slope();
   const Slide one = slide(surface, 1);
   EXPECT_EQ(one.position.size(), 4500u);  // enough for every loop to be shared
   EXPECT_GT(one.dissipated, 0);
@@ -83,14 +83,14 @@ TEST(FastStepper, KeepsMassAndMomentumInFlight) {
   EXPECT_NEAR(gained.z, -216 * 9.81 * 0.3, 1e-3 * 648);
 }
 
-struct Slump {
+struct SlumpEnergy {
   double released = 0;     ///< potential energy, J
   double dissipated = 0;   ///< by viscosity, J
   double unaccounted = 0;  ///< what there is too much in the end, J
 };
 
 /// A block of 1 m slumps on a floor.
-Slump slump(FlowModel model, double end_time) {
+SlumpEnergy slump(FlowModel model, double end_time) {
   model.dimension = 2;
   const auto backend = make_backend(BackendKind::cpu, model);
   test::add_block(backend->fluid(), model, {-10, 10, 0, 1, 0, 20});
@@ -111,7 +111,7 @@ Slump slump(FlowModel model, double end_time) {
 TEST(FastStepper, AccountsForEnergyWhileABlockSlumps) {
   FlowModel model = test::plain_model(0.05, 30, 100);
   model.artificial_viscosity = 0.02;
-  const Slump result = slump(model, 0.6);
+  const SlumpEnergy result = slump(model, 0.6);
   EXPECT_GT(result.released, 0.2 * 1000 * 9.81 * 0.5);
   EXPECT_GT(result.dissipated, 0.3 * result.released);
   EXPECT_NEAR(result.unaccounted, 0, 0.02 * result.released);
@@ -123,7 +123,7 @@ TEST(FastStepper, AccountsForEnergyWhileGrainsTear) {
   model.rheology = Cross{20, 1000, 1};
   model.yield = {0, 25, 0};
   model.tension_at_surface = false;
-  const Slump result = slump(model, 1.2);
+  const SlumpEnergy result = slump(model, 1.2);
   EXPECT_GT(result.released, 0.5 * 1000 * 9.81 * 0.5);
   EXPECT_NEAR(result.unaccounted, 0, 0.03 * result.released);
 }

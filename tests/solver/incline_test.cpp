@@ -3,6 +3,8 @@
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
+
 // A layer on an incline by the explicit method: gravity tilted over a flat bed. Depth-averaged
 // closed forms hold exactly because the stress on a plane parallel to the bed is the weight above
 // it. By the fast method it is a case of verification.
@@ -12,8 +14,6 @@ namespace {
 
 using test::Layer;
 using test::make_hydrostatic;
-
-constexpr double degree = M_PI / 180;
 
 Layer incline(double angle, int cells, double depth, double density) {
   Layer layer;

@@ -7,19 +7,13 @@
 namespace sabo {
 namespace {
 
-double mass(const Particles& particles) {
-  double sum = 0;
-  for (const double m : particles.mass) sum += m;
-  return sum;
-}
-
 // 1 m of water on each of 1.03 x 0.52 m at 0.1 m: 10 x 5 x 10 cells of 0.103 x 0.104 x 0.1 m.
 TEST(Box, IsFilledExactly) {
   const FlowModel model = test::plain_model(0.1, 30, 1);
   Particles water;
   add_box(water, model, {{2, 1, 0}, {3.03, 1.52, 1}}, 7);
   ASSERT_EQ(water.size(), 500u);
-  EXPECT_NEAR(mass(water), 1030 * 0.52, 1e-9);
+  EXPECT_NEAR(test::mass_of(water), 1030 * 0.52, 1e-9);
   EXPECT_NEAR(water.position[0].x, 2 + 0.0515, 1e-12);
   EXPECT_NEAR(water.position.back().y, 1.52 - 0.052, 1e-12);
   EXPECT_EQ(water.body.back(), 7);
@@ -28,7 +22,7 @@ TEST(Box, IsFilledExactly) {
   Particles sheet;
   add_box(sheet, flat, {{2, 1, 0}, {3.03, 1.52, 1}});
   ASSERT_EQ(sheet.size(), 100u);
-  EXPECT_NEAR(mass(sheet), 1030, 1e-9);
+  EXPECT_NEAR(test::mass_of(sheet), 1030, 1e-9);
   EXPECT_EQ(sheet.position.back().y, 0);
 }
 
@@ -48,7 +42,7 @@ TEST(Tank, HasWallsOfTheKernelOnFiveSides) {
   Particles walls;
   Tank{inner}.add_to(walls, model);
   EXPECT_EQ(walls.size(), 16u * 11 * 7 - 10 * 5 * 4);
-  EXPECT_NEAR(mass(walls), static_cast<double>(walls.size()), 1e-9);  // 1 kg each
+  EXPECT_NEAR(test::mass_of(walls), static_cast<double>(walls.size()), 1e-9);  // 1 kg each
   for (const Vec3d& x : walls.position)
     EXPECT_FALSE(x.x > 0 && x.x < 1 && x.y > 0 && x.y < 0.5 && x.z > 0);
   std::sort(walls.position.begin(), walls.position.end(), [](const Vec3d& a, const Vec3d& b) {

@@ -6,17 +6,17 @@
 
 #include "analysis/energy.hpp"
 #include "base/error.hpp"
+#include "math/angle.hpp"
 #include "terrain/ground.hpp"
 
 namespace sabo {
 namespace {
 
+using test::g;
 using test::Layer;
 using test::make_hydrostatic;
 using test::plain_model;
 using test::rule_of;
-
-constexpr double g = 9.81;
 
 Layer still_water(int dimension, int cells) {
   Layer layer;
@@ -233,7 +233,7 @@ TEST(Energy, OfCreepBecomesHeat) {
   layer.model.rheology = Cross{1255, 1000, 1};
   layer.model.yield = {0, 28, 0};
   layer.model.diffusion_form = DiffusionForm::fourtakas;
-  const double slope = 16 * M_PI / 180;
+  const double slope = 16 * degree;
   layer.model.gravity = {g * std::sin(slope), 0, -g * std::cos(slope)};
   layer.cells = 5;
   const auto backend = layer.make();

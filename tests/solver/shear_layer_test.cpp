@@ -5,6 +5,8 @@
 #include "verify/shear_flow.hpp"
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
+
 // A layer of Mohr-Coulomb material that shears down an incline for many depths of travel, from
 // places that are no lattice. Rows that slide over each other fall into disorder, which takes more
 // room: the layer swells and its speed grows with it, unless particles are shifted.
@@ -12,7 +14,7 @@
 namespace sabo {
 namespace {
 
-constexpr double degree = M_PI / 180, depth = 0.1, density = 1600, g = 9.81;
+constexpr double depth = 0.1, density = 1600;
 
 struct Outcome {
   double depth;  ///< twice the height of the middle of mass, over the exact depth

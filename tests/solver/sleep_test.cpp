@@ -7,14 +7,14 @@
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
+
 // Deposits that sleep and wake, on every backend.
 
 namespace sabo {
 namespace {
 
 using test::Layer;
-
-constexpr double degree = M_PI / 180;
 
 /// A frictional layer 3 m deep on 10 deg, phi 28 deg: at mu_0/mu_inf = 1e4 its surface creeps at
 /// x rho g cos(theta) tan(phi) H^2 / (2 mu_0), x = r/(1 - r), r = tan(10)/tan(28): 1.6 mm/s.

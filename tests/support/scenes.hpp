@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <random>
 #include <vector>
 
@@ -23,6 +24,12 @@ using sabo::add_particle;
 using sabo::Cells;
 using sabo::Layer;
 using sabo::make_hydrostatic;
+
+inline constexpr double g = 9.81;  ///< m/s2
+
+inline double mass_of(const Particles& particles) {
+  return std::accumulate(particles.mass.begin(), particles.mass.end(), 0.0);
+}
 
 /// Water-like, in three dimensions: for tests that are not about a material.
 inline FlowModel plain_model(double spacing, double sound_speed, double viscosity) {

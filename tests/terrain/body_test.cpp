@@ -214,7 +214,7 @@ TEST(BodyPoints, RefuseABodyOutOfAllProportion) {
 
 // ---- in the ground ----
 
-Surface flat() { return Surface(Raster(square_grid(-5, 5, 0.5), 0)); }
+Surface flat_yard() { return Surface(Raster(square_grid(-5, 5, 0.5), 0)); }
 
 Particles all_of(Ground& ground) {
   std::vector<Vec3d> fluid;
@@ -226,7 +226,7 @@ Particles all_of(Ground& ground) {
 }
 
 TEST(GroundWithBody, HasItsParticlesAboveTheGroundOnceAndNumbered) {
-  const Surface surface = flat();
+  const Surface surface = flat_yard();
   CheckDam dam;
   dam.axis = {{{-3, -1, 0}, {-3, 1, 0}}, false};
   dam.crest = 0.5;
@@ -248,7 +248,7 @@ TEST(GroundWithBody, HasItsParticlesAboveTheGroundOnceAndNumbered) {
 }
 
 TEST(GroundWithBody, MakesItNearTheFlowOnly) {
-  const Surface surface = flat();
+  const Surface surface = flat_yard();
   const Body wall = box_body({{-4.5, -0.2, 0}, {4.5, 0.2, 1}, {}, 0});
   Ground ground(surface, {}, {dp, 3, density}, {wall});
   Particles boundary;
@@ -265,7 +265,7 @@ TEST(GroundWithBody, MakesItNearTheFlowOnly) {
 }
 
 TEST(GroundWithBody, PushesOutOfEverything) {
-  const Surface surface = flat();
+  const Surface surface = flat_yard();
   const UprightBox inside{{-3, -3, 0}, {-1, -1, 1}, {-2, -2, 0}, 0.3};
   const Body tank("tank", tank_mesh(inside, reach, true), FlowSide::outside, reach,
                   tank_boxes(inside, reach, true));
@@ -288,7 +288,7 @@ TEST(GroundWithBody, PushesOutOfEverything) {
 }
 
 TEST(GroundWithBody, RefusesABodyBelowTheGroundOrBeside) {
-  const Surface surface = flat();
+  const Surface surface = flat_yard();
   EXPECT_THROW(Ground(surface, {}, {dp, 3, density}, {box_body({{0, 0, -2}, {1, 1, -1}, {}, 0})}),
                CaseError);
   EXPECT_THROW(Ground(surface, {}, {dp, 3, density}, {box_body({{20, 0, 0}, {21, 1, 1}, {}, 0})}),

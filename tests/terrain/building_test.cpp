@@ -13,10 +13,6 @@
 namespace sabo {
 namespace {
 
-Polygon square(double low, double high) {
-  return {{{{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}}};
-}
-
 /// 6 m x 6 m without its quarter at the upper right, clockwise and with a vertex on an edge.
 Polygon ell() {
   return {{{{0, 0, 0}, {0, 6, 0}, {3, 6, 0}, {3, 3, 0}, {6, 3, 0}, {6, 0, 0}, {2, 0, 0}}}};

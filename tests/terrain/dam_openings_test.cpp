@@ -14,8 +14,6 @@ namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-Surface flat() { return Surface(Raster(square_grid(-30, 30, 1), 0)); }
-
 CheckDam dam_with(std::vector<Opening> openings) {
   CheckDam dam{"test", {{{0, -10, 0}, {0, 10, 0}}, false}, 6, 2};
   dam.openings = std::move(openings);

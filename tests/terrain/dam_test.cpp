@@ -12,8 +12,6 @@
 namespace sabo {
 namespace {
 
-Surface flat() { return Surface(Raster(square_grid(-30, 30, 1), 0)); }
-
 /// 20 m along y, 2.5 m thick, 6 m high; the notch's sides rise 2 m over 1 m.
 CheckDam notched_dam() {
   CheckDam dam;

@@ -13,6 +13,8 @@
 #include "support/ground.hpp"
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
+
 namespace sabo {
 namespace {
 
@@ -21,7 +23,7 @@ double sum(const std::vector<double>& values) {
 }
 
 Surface slope(double degrees, double reach = 40) {
-  const double rise = std::tan(degrees * std::numbers::pi / 180);
+  const double rise = std::tan(degrees * degree);
   return Surface(
       raster_of(square_grid(-reach, reach, 1), [rise](double x, double) { return rise * x; }));
 }
@@ -36,7 +38,7 @@ Surface rough_hill() {
 class GroundOnAPlane : public testing::TestWithParam<int> {};
 
 TEST_P(GroundOnAPlane, FillsTheLayersExactly) {
-  const double angle = GetParam() * std::numbers::pi / 180;
+  const double angle = GetParam() * degree;
   const Surface surface = slope(GetParam());
   Ground ground(surface, {}, {0.5, 3, 2000});
   Particles particles;
@@ -58,7 +60,7 @@ TEST_P(GroundOnAPlane, FillsTheLayersExactly) {
 }
 
 TEST_P(GroundOnAPlane, ColumnsAreCloseAlongTheGround) {
-  const double angle = GetParam() * std::numbers::pi / 180;
+  const double angle = GetParam() * degree;
   const Surface surface = slope(GetParam());
   Ground ground(surface, {}, {0.5, 1, 1000});
   Particles particles;

@@ -10,7 +10,7 @@
 namespace sabo {
 namespace {
 
-Surface slope() {
+Surface long_slope() {
   return Surface(raster_of(square_grid(0, 40, 1), [](double x, double) { return 0.75 * x; }));
 }
 
@@ -22,7 +22,7 @@ Particles block(const Surface& surface) {
 // 64 x 64 columns of 4: the mean of so many even numbers in [-reach, reach) has a standard
 // deviation of reach / sqrt(3 x 16384) = 0.0045 reach, their spread is reach / sqrt(3).
 TEST(Jitter, IsEvenWithinItsReachOnEachAxis) {
-  const Surface surface = slope();
+  const Surface surface = long_slope();
   const Particles before = block(surface);
   Particles after = before;
   constexpr double reach = 0.15;
@@ -42,7 +42,7 @@ TEST(Jitter, IsEvenWithinItsReachOnEachAxis) {
 }
 
 TEST(Jitter, LeavesMassesAndHydrostaticDensitiesAlone) {
-  const Surface surface = slope();
+  const Surface surface = long_slope();
   const Particles before = block(surface);
   Particles after = before;
   jitter(after, surface, {0.15, 0.1, 1});
@@ -64,7 +64,7 @@ TEST(Jitter, KeepsAllAboveTheGround) {
 }
 
 TEST(Jitter, DependsOnSeedAndNumberAlone) {
-  const Surface surface = slope();
+  const Surface surface = long_slope();
   Particles one = block(surface), again = one, other = one, turned = one;
   std::vector<std::uint32_t> order(one.size());
   for (std::size_t k = 0; k < order.size(); ++k)
@@ -83,7 +83,7 @@ TEST(Jitter, DependsOnSeedAndNumberAlone) {
 }
 
 TEST(Jitter, OfNoReachChangesNothing) {
-  const Surface surface = slope();
+  const Surface surface = long_slope();
   const Particles before = block(surface);
   Particles after = before;
   jitter(after, surface, {0, 0.1, 1});
@@ -91,7 +91,7 @@ TEST(Jitter, OfNoReachChangesNothing) {
 }
 
 TEST(Jitter, StaysOnTheSurface) {
-  const Surface surface = slope();
+  const Surface surface = long_slope();
   Particles edge;
   edge.resize(100);
   for (std::uint32_t k = 0; k < 100; ++k) {

@@ -3,7 +3,9 @@
 #include <cmath>
 #include <cstdint>
 
+#include "terrain/polyline.hpp"
 #include "terrain/raster.hpp"
+#include "terrain/surface.hpp"
 
 namespace sabo {
 
@@ -23,6 +25,14 @@ Raster raster_of(const Grid& grid, Function&& function) {
 inline Grid square_grid(double low, double high, double cell) {
   const int cells = static_cast<int>(std::lround((high - low) / cell)) + 1;
   return {cells, cells, low - cell / 2, high + cell / 2, cell, cell};
+}
+
+/// Level ground at 0, 60 m wide, about the origin.
+inline Surface flat() { return Surface(Raster(square_grid(-30, 30, 1), 0)); }
+
+/// A square from (low, low) to (high, high).
+inline Polygon square(double low, double high) {
+  return {{{{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}}};
 }
 
 /// Repeatable numbers in [0, 1).

@@ -18,10 +18,6 @@ Surface slope() {
   return Surface(raster_of(square_grid(0, 20, 1), [](double x, double) { return 0.75 * x; }));
 }
 
-Polygon square(double low, double high) {
-  return {{{{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}}};
-}
-
 double volume_of(const Particles& particles, double density) {
   return std::accumulate(particles.mass.begin(), particles.mass.end(), 0.0) / density;
 }

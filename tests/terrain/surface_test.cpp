@@ -13,13 +13,13 @@
 namespace sabo {
 namespace {
 
-Surface plane() {  // rises by 0.75 to the east and falls by 0.5 to the north
+Surface rising() {  // rises by 0.75 to the east and falls by 0.5 to the north
   return Surface(
       raster_of({12, 8, 100, 200, 2, 1}, [](double x, double y) { return 0.75 * x - 0.5 * y; }));
 }
 
 TEST(Surface, PlaneIsExact) {
-  const Surface surface = plane();
+  const Surface surface = rising();
   EXPECT_NEAR(surface.height(107.3, 195.8), 0.75 * 107.3 - 0.5 * 195.8, 1e-12);
   const Vec3d expected = normalised(Vec3d{-0.75, 0.5, 1});
   const Vec3d normal = surface.normal(107.3, 195.8);
@@ -50,7 +50,7 @@ TEST(Surface, ParaboloidToSecondOrder) {
 }
 
 TEST(Surface, DomainEndsAtTheLastCellCentres) {
-  const Surface surface = plane();
+  const Surface surface = rising();
   EXPECT_TRUE(surface.inside(101, 199.5));
   EXPECT_FALSE(surface.inside(100.9, 199.5));
   EXPECT_TRUE(surface.inside(123, 192.5));

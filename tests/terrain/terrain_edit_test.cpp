@@ -11,11 +11,6 @@
 namespace sabo {
 namespace {
 
-/// Square with corners on cell edges: of cells of 1 m it holds those from `low` to `high`.
-Polygon square(double low, double high) {
-  return {{{{low, low, 0}, {high, low, 0}, {high, high, 0}, {low, high, 0}}}};
-}
-
 /// 10 x 10 cells of 1 m from (0, 0), z = x of the cell's centre.
 Raster ramp() {
   return raster_of(Grid{10, 10, 0, 10, 1, 1}, [](double x, double) { return x; });

@@ -1,17 +1,17 @@
 #include "terrain/tilted_plane.hpp"
 
 #include <cmath>
-#include <numbers>
 
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
 #include "terrain/surface.hpp"
 
 namespace sabo {
 namespace {
 
 TEST(TiltedPlane, CoversItsRectangleAndFallsAsGiven) {
-  const double azimuth = 120 * std::numbers::pi / 180;
+  const double azimuth = 120 * degree;
   const TiltedPlane plane{10, 20, 13, 24.1, 100, 0.25, azimuth};
   const Surface surface(raster_of(plane, 0.5));
   EXPECT_TRUE(surface.inside(10.001, 20.001));

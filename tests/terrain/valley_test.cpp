@@ -7,6 +7,7 @@
 #include "rasters.hpp"
 #include <gtest/gtest.h>
 
+#include "math/angle.hpp"
 #include "terrain/surface.hpp"
 
 namespace sabo {
@@ -19,7 +20,7 @@ TEST(Valley, BedHasThePublishedSlopes) {
     EXPECT_DOUBLE_EQ(valley_slope(places[k]), angles[k]);
     const double step = 1e-4;
     const double fall = (valley_bed(places[k] - step) - valley_bed(places[k] + step)) / (2 * step);
-    EXPECT_NEAR(std::atan(fall) * 180 / std::numbers::pi, angles[k], 1e-4);
+    EXPECT_NEAR(std::atan(fall) / degree, angles[k], 1e-4);
   }
 }
 
@@ -27,7 +28,7 @@ TEST(Valley, BedIsTheIntegralOfItsSlope) {
   double z = 250;
   const double step = 0.01;
   for (double x = 0; x < 1000 - step / 2; x += step) {
-    z -= step * std::tan(valley_slope(x + step / 2) * std::numbers::pi / 180);
+    z -= step * std::tan(valley_slope(x + step / 2) * degree);
   }
   EXPECT_DOUBLE_EQ(valley_bed(0), 250);
   EXPECT_NEAR(valley_bed(1000), z, 1e-4);

@@ -1,6 +1,7 @@
 #include <vector>
 
 #include "backend/cuda/card_moment.hpp"
+#include "backend/cuda/check_cuda.hpp"
 
 namespace sabo {
 namespace {
@@ -27,6 +28,10 @@ CardMoment::CardMoment() noexcept {
 
 CardMoment::~CardMoment() {
   if (event_) idle_events().push_back(event_);
+}
+
+void CardMoment::wait() const {
+  check_cuda(event_ ? cudaEventSynchronize(event_) : cudaStreamSynchronize(nullptr), "copy");
 }
 
 double CardMoment::seconds_since(const CardMoment& start) const {

@@ -19,6 +19,8 @@ class CardMoment {
   }
   ~CardMoment();
 
+  /// Until the card has been there; from any thread. Throws RunError where it has failed.
+  void wait() const;
   /// Waits until the card has been there. 0 where it has failed: the next pass says why.
   double seconds_since(const CardMoment& start) const;
 

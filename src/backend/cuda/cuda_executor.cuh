@@ -139,6 +139,8 @@ class CudaExecutor {
  public:
   template <class T>
   using Array = DeviceArray<T>;
+  template <class T>
+  using StagingArray = PageLockedArray<T>;
 
   template <class F>
   void for_each(std::size_t count, const F& f) const {
@@ -213,6 +215,11 @@ class CudaExecutor {
     fetch(from.data(), from.size(), to.data());
   }
   template <class T>
+  void start_download(const DeviceArray<T>& from, PageLockedArray<T>& to) const {
+    to.resize(from.size());
+    move(from.data(), from.size(), to.data(), cudaMemcpyDeviceToHost);
+  }
+  template <class T>
   void copy(const DeviceArray<T>& from, DeviceArray<T>& to) const {
     to.resize(from.size());
     move(from.data(), from.size(), to.data(), cudaMemcpyDeviceToDevice);
@@ -229,6 +236,7 @@ class CudaExecutor {
 
   using Moment = CardMoment;
   Moment now() const { return CardMoment(); }
+  void await(const Moment& moment) const { moment.wait(); }
   double seconds_between(const Moment& start, const Moment& end) const {
     return end.seconds_since(start);
   }

@@ -83,6 +83,22 @@ void free_on_card(void* memory) noexcept {
   if (memory) cudaFreeAsync(memory, nullptr);
 }
 
+void* allocate_page_locked(std::size_t bytes) {
+  void* memory = nullptr;
+  const cudaError_t outcome = cudaMallocHost(&memory, bytes);
+  if (outcome != cudaErrorMemoryAllocation) check_cuda(outcome, "cudaMallocHost");
+  cudaGetLastError();
+  if (outcome == cudaSuccess) return memory;
+  throw RunError("there is no room for a copy of the particles beside the graphics card: " +
+                 std::to_string(bytes / 1000000) +
+                 " MB of memory that is not swapped are wanted; raise numerics.spacing, or use "
+                 "--backend cpu");
+}
+
+void free_page_locked(void* memory) noexcept {
+  if (memory) cudaFreeHost(memory);
+}
+
 std::string graphics_card_fault() {
   int driver = 0, runtime = 0, count = 0;
   cudaRuntimeGetVersion(&runtime);

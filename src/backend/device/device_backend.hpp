@@ -36,7 +36,7 @@ class DeviceBackend : public Backend {
 
   Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
-  void copy_fluid(Particles& into) override;
+  std::function<void()> copy_fluid(Particles& into) override;
   const std::vector<Vec3d>& positions() override;
   Places places() override;
   void change_boundary(const BoundaryChange& change) override;
@@ -232,6 +232,9 @@ class DeviceBackend : public Backend {
   Array<std::uint32_t> body_rows_;
   Array<Vec3d> row_forces_;
   std::vector<Vec3d> row_forces_copy_;
+
+  StagedParticles<Executor> staged_;
+  std::optional<typename Executor::Moment> staged_then_;  // when staged_ is there
 
   std::vector<Vec3d> positions_copy_;
   std::vector<std::uint32_t> ids_copy_;  // empty until they are asked for in the present order

@@ -40,11 +40,17 @@ Particles& DeviceBackend<Executor>::fetched(DeviceParticles<Executor>& from, Cop
 }
 
 template <class Executor>
-void DeviceBackend<Executor>::copy_fluid(Particles& into) {
-  if (fluid_copy_.is_current)
+std::function<void()> DeviceBackend<Executor>::copy_fluid(Particles& into) {
+  if (fluid_copy_.is_current) {
     into = fluid_copy_.particles;
-  else
-    fluid_.download(on_, into);
+    return [] {};
+  }
+  fluid_.start_download(on_, staged_);
+  staged_then_.emplace(on_.now());
+  return [this, &into] {
+    on_.await(*staged_then_);
+    staged_.copy_to(into);
+  };
 }
 
 template <class Executor>

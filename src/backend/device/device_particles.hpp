@@ -47,6 +47,22 @@ std::size_t bytes_of(const Arrays&... arrays) {
   return (std::size_t{0} + ... + (arrays.size() * sizeof(*arrays.data())));
 }
 
+/// A set of particles on the host, in memory to which an executor copies beside other work.
+template <class Executor>
+struct StagedParticles {
+#define SABO_DECLARE_STAGED(type, name, unit, meaning, is_shown) \
+  typename Executor::template StagingArray<type> name;
+  SABO_PARTICLE_FIELDS(SABO_DECLARE_STAGED)
+#undef SABO_DECLARE_STAGED
+
+  void copy_to(Particles& to) const {
+#define SABO_COPY_STAGED(type, name, unit, meaning, is_shown) \
+  to.name.assign(name.data(), name.data() + name.size());
+    SABO_PARTICLE_FIELDS(SABO_COPY_STAGED)
+#undef SABO_COPY_STAGED
+  }
+};
+
 /// A set of particles in the memory of an executor.
 template <class Executor>
 class DeviceParticles {
@@ -78,6 +94,13 @@ class DeviceParticles {
 #define SABO_DOWNLOAD(type, name, unit, meaning, is_shown) on.download(name, to.name);
     SABO_PARTICLE_FIELDS(SABO_DOWNLOAD)
 #undef SABO_DOWNLOAD
+  }
+
+  /// `to` is there once the executor gets to a later moment.
+  void start_download(const Executor& on, StagedParticles<Executor>& to) const {
+#define SABO_START_DOWNLOAD(type, name, unit, meaning, is_shown) on.start_download(name, to.name);
+    SABO_PARTICLE_FIELDS(SABO_START_DOWNLOAD)
+#undef SABO_START_DOWNLOAD
   }
 
   /// Row k becomes what row order[k] was; one field at a time, for the memory that it takes.

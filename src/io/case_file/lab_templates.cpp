@@ -1,10 +1,10 @@
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include <fmt/format.h>
 
 #include "io/case_file/templates.hpp"
+#include "math/angle.hpp"
 
 namespace sabo {
 namespace {
@@ -117,7 +117,7 @@ struct Flume {
   double height = 0.25;
   double depth = 0.1;  // of the walls in the bed
 
-  double bed(double x) const { return (length - x) * std::tan(slope * std::numbers::pi / 180); }
+  double bed(double x) const { return (length - x) * std::tan(slope * degree); }
 };
 
 }  // namespace

@@ -19,7 +19,7 @@ constexpr int max_entries = 200'000;
 constexpr int max_depth = 8;  // folders in folders; links may lead in circles
 constexpr GIntBig max_text = 200'000'000;
 constexpr GIntBig max_inner_zip = 2'000'000'000;
-constexpr const char* remedy =
+constexpr const char* archive_form =
     "give a tile, or a folder or .zip of tiles, named such as FG-GML-6444-11-DEM5A-20161001.xml";
 
 std::string upper(std::string text) {
@@ -94,7 +94,8 @@ class Visit {
       const std::string own = name + "/" + entry->pszName;
       if (++entries_ > max_entries) {
         throw CaseError("terrain.dem",
-                        fmt::format("{} holds more than {} files", name, max_entries), remedy);
+                        fmt::format("{} holds more than {} files", name, max_entries),
+                        archive_form);
       }
       if (is_tile(path)) file(path, own);
       if (is_zip(path) && zips_left > 0) zip(path, own, zips_left - 1);
@@ -142,7 +143,7 @@ void for_each_fg_gml(
   visit.folder(is_folder ? name : inside(name), name, is_folder ? 2 : 1);
   if (visit.tiles() == 0) {
     const std::string reason = errors.failed() ? ": " + errors.failure("") : "";
-    throw CaseError("terrain.dem", name + " holds no DEM tile (*DEM*.xml)" + reason, remedy);
+    throw CaseError("terrain.dem", name + " holds no DEM tile (*DEM*.xml)" + reason, archive_form);
   }
 }
 

@@ -15,7 +15,7 @@
 namespace sabo {
 namespace {
 
-constexpr const char* key = "terrain.dem";
+constexpr const char* dem_key = "terrain.dem";
 constexpr double metres_per_degree = 111'000;  // along a meridian
 
 struct NamedTile {
@@ -23,7 +23,7 @@ struct NamedTile {
   FgGmlTile tile;
 };
 
-const char* name_of(JapaneseDatum datum) {
+const char* datum_name(JapaneseDatum datum) {
   switch (datum) {
     case JapaneseDatum::jgd2000:
       return "JGD2000";
@@ -42,15 +42,15 @@ void check_alike(const NamedTile& first, const NamedTile& other) {
   const Grid& a = first.tile.raster.grid;
   const Grid& b = other.tile.raster.grid;
   if (first.tile.datum != other.tile.datum) {
-    throw CaseError(key,
-                    fmt::format("{} is in {}, {} in {}", other.name, name_of(other.tile.datum),
-                                first.name, name_of(first.tile.datum)),
+    throw CaseError(dem_key,
+                    fmt::format("{} is in {}, {} in {}", other.name, datum_name(other.tile.datum),
+                                first.name, datum_name(first.tile.datum)),
                     "give tiles of one datum; elevations of JGD2024 differ from those before");
   }
   constexpr double ratio = 1e-5;
   if (std::abs(b.dx - a.dx) > ratio * a.dx || std::abs(b.dy - a.dy) > ratio * a.dy) {
     throw CaseError(
-        key,
+        dem_key,
         fmt::format("{} has cells of {:.4g} x {:.4g} seconds, {} of {:.4g} x {:.4g}", other.name,
                     b.dx * 3600, b.dy * 3600, first.name, a.dx * 3600, a.dy * 3600),
         "give tiles of one cell size");
@@ -59,7 +59,8 @@ void check_alike(const NamedTile& first, const NamedTile& other) {
   const double columns = (b.west - a.west) / a.dx;
   const double rows = (b.north - a.north) / a.dy;
   if (std::abs(columns - std::round(columns)) > slack || std::abs(rows - std::round(rows)) > slack)
-    throw CaseError(key, fmt::format("{} does not lie on the grid of {}", other.name, first.name),
+    throw CaseError(dem_key,
+                    fmt::format("{} does not lie on the grid of {}", other.name, first.name),
                     "give tiles as GSI makes them");
 }
 
@@ -70,7 +71,7 @@ std::vector<NamedTile> read_tiles(const std::filesystem::path& file) {
     tiles.push_back({name, parse_fg_gml(text, name)});
     cells += tiles.back().tile.raster.values.size();
     if (cells > RasterFile::max_cells) {
-      throw CaseError(key,
+      throw CaseError(dem_key,
                       fmt::format("{} has tiles of more than {} cells in all", file.string(),
                                   RasterFile::max_cells),
                       "leave out those far from the flow");
@@ -95,7 +96,7 @@ Grid common_grid(const std::vector<NamedTile>& tiles, const std::string& name) {
   const double columns = std::round((east - grid.west) / grid.dx);
   const double rows = std::round((grid.north - south) / grid.dy);
   if (columns * rows > static_cast<double>(RasterFile::max_cells)) {
-    throw CaseError(key,
+    throw CaseError(dem_key,
                     fmt::format("{} has tiles so far apart that {:.0f} x {:.0f} cells cover them, "
                                 "more than {} in all",
                                 name, columns, rows, RasterFile::max_cells),
@@ -128,7 +129,7 @@ void place(const Raster& tile, Raster& whole) {
 std::string note_of(const std::vector<NamedTile>& tiles, double cell_size) {
   std::string note =
       fmt::format("{} tile{} of {:g} m, {}", tiles.size(), tiles.size() == 1 ? "" : "s", cell_size,
-                  name_of(tiles.front().tile.datum));
+                  datum_name(tiles.front().tile.datum));
   std::vector<std::string> dates;
   for (const NamedTile& row : tiles) {
     if (!row.tile.date.empty()) dates.push_back(row.tile.date);
@@ -162,7 +163,7 @@ int utm_code(JapaneseDatum datum, double longitude) {
     throw CaseError(
         "terrain.crs",
         fmt::format("the DEM lies in UTM zone {}, for which {} has no coordinate system", zone,
-                    name_of(datum)),
+                    datum_name(datum)),
         "give a projected one in metres, e.g. \"EPSG:32656\"");
   }
   const int first = datum == JapaneseDatum::jgd2000 ? 3097 : 6688;  // zone 51

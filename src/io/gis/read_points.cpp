@@ -17,8 +17,8 @@
 namespace sabo {
 namespace {
 
-constexpr const char* key = "release.points";
-constexpr const char* remedy = "give one point per line: x y z";
+constexpr const char* points_key = "release.points";
+constexpr const char* points_form = "give one point per line: x y z";
 constexpr std::size_t max_points = 100'000'000;
 constexpr std::size_t max_line = 4096;  // bytes
 
@@ -69,10 +69,11 @@ std::vector<Vec3d> read_points(const std::filesystem::path& file, const Vec3d& o
   std::error_code ignored;
   std::ifstream in(file);
   if (!in || std::filesystem::is_directory(file, ignored)) {
-    throw CaseError(key, name + " cannot be opened", "give a path relative to the case file");
+    throw CaseError(points_key, name + " cannot be opened",
+                    "give a path relative to the case file");
   }
   const auto refuse = [&name](std::size_t number, const std::string& problem) {
-    throw CaseError(key, fmt::format("{}, line {}: {}", name, number, problem), remedy);
+    throw CaseError(points_key, fmt::format("{}, line {}: {}", name, number, problem), points_form);
   };
   std::vector<Vec3d> points;
   std::array<char, max_line> buffer{};
@@ -93,7 +94,7 @@ std::vector<Vec3d> read_points(const std::filesystem::path& file, const Vec3d& o
     if (points.size() == max_points) refuse(number, fmt::format("more than {} points", max_points));
     points.push_back(*point + offset);
   }
-  if (points.empty()) throw CaseError(key, name + " has no points", remedy);
+  if (points.empty()) throw CaseError(points_key, name + " has no points", points_form);
   return points;
 }
 

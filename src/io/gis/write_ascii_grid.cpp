@@ -17,8 +17,6 @@
 namespace sabo {
 namespace {
 
-constexpr float no_data = -9999;
-
 // A dataset in memory, which the driver of the format copies: it cannot be written to by itself.
 GDALDatasetUniquePtr in_memory(const Raster& raster, const std::string& crs_wkt) {
   const Grid& grid = raster.grid;
@@ -27,11 +25,11 @@ GDALDatasetUniquePtr in_memory(const Raster& raster, const std::string& crs_wkt)
   if (!data) return data;
   georeference(*data, grid, crs_wkt);
   GDALRasterBand& band = *data->GetRasterBand(1);
-  band.SetNoDataValue(no_data);
+  band.SetNoDataValue(no_data_value);
   std::vector<float> values(raster.values.size());
   for (std::size_t cell = 0; cell < values.size(); ++cell) {
     const double value = raster.values[cell];
-    values[cell] = std::isnan(value) ? no_data : static_cast<float>(value);
+    values[cell] = std::isnan(value) ? no_data_value : static_cast<float>(value);
     if (std::isinf(values[cell]))
       throw RunError(fmt::format("value {} of cell {} is not finite", value, cell));
   }

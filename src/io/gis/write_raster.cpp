@@ -17,13 +17,11 @@
 namespace sabo {
 namespace {
 
-constexpr float no_data = -9999;
-
 void describe(GDALDataset& data, const Grid& grid, const RasterInfo& info) {
   georeference(data, grid, info.crs_wkt);
   for (const auto& [key, value] : info.metadata) data.SetMetadataItem(key.c_str(), value.c_str());
   GDALRasterBand& band = *data.GetRasterBand(1);
-  band.SetNoDataValue(no_data);
+  band.SetNoDataValue(no_data_value);
   band.SetDescription(info.description.c_str());
   if (!info.unit.empty()) band.SetUnitType(info.unit.c_str());
 }
@@ -38,7 +36,7 @@ bool write_values(GDALRasterBand& band, const Raster& raster) {
         throw RunError(
             fmt::format("value {} at column {}, row {} is not finite", value, column, row));
       }
-      line[column] = std::isnan(value) ? no_data : static_cast<float>(value);
+      line[column] = std::isnan(value) ? no_data_value : static_cast<float>(value);
     }
     const CPLErr result = band.RasterIO(GF_Write, 0, row, grid.columns, 1, line.data(),
                                         grid.columns, 1, GDT_Float32, 0, 0, nullptr);

@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "math/angle.hpp"
 
 namespace sabo {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double half_opening = 20 * degree;
 constexpr double share_used = 0.9;  // of the picture
 

@@ -17,6 +17,9 @@ Colour flow_colour(double fraction);
 /// ground is light, so that colours and lines stand out.
 Colour ground_colour(double shade);
 
+/// Lines on the ground: contours, and edges of what stands on it.
+inline constexpr Colour ground_line_colour{60, 72, 84};
+
 /// From `a` (share 0) to `b` (share 1).
 Colour mixed(const Colour& a, const Colour& b, double share_of_b);
 

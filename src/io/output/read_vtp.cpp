@@ -14,6 +14,7 @@
 #include "base/parsed_number.hpp"
 #include "io/output/read_appended.hpp"
 #include "io/output/read_file.hpp"
+#include "io/output/vtk_appended.hpp"
 #include "io/output/xml_elements.hpp"
 
 namespace sabo {
@@ -25,9 +26,6 @@ constexpr std::uint64_t most_particles = std::numeric_limits<std::int32_t>::max(
 constexpr int most_components = 9;
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 constexpr std::string_view data_end = "\n</AppendedData>\n</VTKFile>\n";
-
-constexpr const char* byte_order =
-    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
 template <class Number>
 std::optional<Number> number_of(std::string_view text) {
@@ -110,7 +108,7 @@ class FrameReader {
     if (tags_.empty() || tags_.front().name != "VTKFile") fail("is not a VTK file");
     constexpr std::array<std::pair<const char*, const char*>, 4> expected{
         {{"type", "PolyData"},
-         {"byte_order", byte_order},
+         {"byte_order", vtk_byte_order},
          {"header_type", "UInt64"},
          {"compressor", "vtkZLibDataCompressor"}}};
     for (const auto& [name, value] : expected) {

@@ -11,7 +11,6 @@ namespace sabo {
 namespace {
 
 constexpr Colour no_ground{247, 248, 249};
-constexpr Colour line_colour{60, 72, 84};
 
 // Direction to the light: north-west, 45 degrees up, as on printed maps.
 const Vec3d light = normalised(Vec3d{-1, 1, std::numbers::sqrt2});
@@ -73,13 +72,13 @@ Pixel pixel_at(const Relief& relief, const Raster& shade, double x, double y) {
 // A pixel beside one of the flow's edge or of another contour band is darker.
 Colour with_lines(const Pixel& pixel, const Pixel& left, const Pixel& above) {
   if (pixel.is_flow != left.is_flow || pixel.is_flow != above.is_flow) {
-    return mixed(pixel.colour, line_colour, 0.6);
+    return mixed(pixel.colour, ground_line_colour, 0.6);
   }
   const auto crosses = [&pixel](const Pixel& other) {
     return !std::isnan(other.band) && !std::isnan(pixel.band) && other.band != pixel.band;
   };
   const bool is_contour = crosses(left) || crosses(above);
-  return is_contour ? mixed(pixel.colour, line_colour, 0.28) : pixel.colour;
+  return is_contour ? mixed(pixel.colour, ground_line_colour, 0.28) : pixel.colour;
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numbers>
 
 #include <fmt/format.h>
 
@@ -14,18 +13,18 @@
 #include "io/output/svg.hpp"
 #include "io/output/svg_colour_bar.hpp"
 #include "io/output/ticks.hpp"
+#include "math/angle.hpp"
 
 namespace sabo {
 namespace {
 
-constexpr double picture_width = 1100;  // px
-constexpr double tallest = 720;         // px
-constexpr double lowest = 160;          // px
-constexpr double margin = 20;           // px
-constexpr double max_pixels = 1.5e6;    // of the embedded picture
+constexpr double picture_width = 1100;      // px
+constexpr double tallest = 720;             // px
+constexpr double lowest = 160;              // px
+constexpr double scene_margin = 20;         // px
+constexpr double max_scene_pixels = 1.5e6;  // of the embedded picture
 constexpr std::size_t mesh_size = 1'000'000;
 constexpr std::size_t trial_mesh_size = 20'000;
-constexpr double degree = std::numbers::pi / 180;
 
 // Up the valley, from the lower end of the path's part in the view to its upper end.
 std::optional<double> azimuth_of_path(const ScenePicture& scene) {
@@ -138,7 +137,7 @@ std::string draw_scale(const Drawing& d, double y) {
   for (const Vec3d& point : points) distance += d.view.camera.project(point).distance;
   const double scale = d.view.camera.focal / (distance / static_cast<double>(points.size()));
   const double length = round_down(180 / scale);
-  const double right = margin + picture_width - 84;
+  const double right = scene_margin + picture_width - 84;
   const double left = right - length * scale;
   std::string svg = fmt::format(
       "<path d=\"M{0:.1f} {2:.1f}v6H{1:.1f}v-6\" fill=\"none\" stroke=\"{3}\" "
@@ -152,7 +151,7 @@ std::string draw_scale(const Drawing& d, double y) {
                                  d.direction.down, d.contour);
   if (d.scene.exaggeration != 1) text += fmt::format("; heights × {:g}", d.scene.exaggeration);
   svg += svg_text(right, y + 20, text, {.anchor = Anchor::end});
-  return svg + draw_compass(d.direction, margin + picture_width - 36, y);
+  return svg + draw_compass(d.direction, scene_margin + picture_width - 36, y);
 }
 
 std::string draw_picture(const Drawing& d, const DepthCanvas& canvas, double top_value) {
@@ -161,7 +160,7 @@ std::string draw_picture(const Drawing& d, const DepthCanvas& canvas, double top
       "<image x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" preserveAspectRatio=\"none\" "
       "href=\"{4}\"/>\n<rect x=\"{0}\" y=\"{1}\" width=\"{2}\" height=\"{3}\" fill=\"none\" "
       "stroke=\"#9aa5b1\"/>\n",
-      margin, d.top, picture_width, d.height, data_url_of_png(png_of(image)));
+      scene_margin, d.top, picture_width, d.height, data_url_of_png(png_of(image)));
 }
 
 LookDirection direction_for(const ScenePicture& scene, const SceneData& data) {
@@ -189,7 +188,7 @@ Drawing drawing_of(const ScenePicture& scene, const SceneData& data) {
   d.contour = contour_step(d.mesh);
   if (!scene.note.empty()) d.top = 68;
   // Up to one and a half pixels for one of the page, and two samples across each of them.
-  d.view.scale = 2 * std::clamp(std::sqrt(max_pixels / (picture_width * d.height)), 1.0, 1.5);
+  d.view.scale = 2 * std::clamp(std::sqrt(max_scene_pixels / (picture_width * d.height)), 1.0, 1.5);
   return d;
 }
 
@@ -212,17 +211,17 @@ std::string scene_svg(const ScenePicture& scene, const Raster& elevation, const 
 
   const double top_value = scene.top.value_or(greatest_value(d.mesh));
   const double page_height = d.top + d.height + 76;
-  std::string svg = svg_begin(picture_width + 2 * margin, page_height, scene.title);
-  svg += svg_text(margin, 30, scene.title, {.size = 18, .colour = svg_ink, .bold = true});
-  if (!scene.note.empty()) svg += svg_text(margin, 52, scene.note, {.size = 13});
+  std::string svg = svg_begin(picture_width + 2 * scene_margin, page_height, scene.title);
+  svg += svg_text(scene_margin, 30, scene.title, {.size = 18, .colour = svg_ink, .bold = true});
+  if (!scene.note.empty()) svg += svg_text(scene_margin, 52, scene.note, {.size = 13});
   svg += draw_picture(d, canvas, top_value);
-  const ScenePage page{d.mesh, canvas, d.view, margin, d.top, picture_width, d.height};
+  const ScenePage page{d.mesh, canvas, d.view, scene_margin, d.top, picture_width, d.height};
   SceneLabels labels(page);
   for (const SceneBody& body : d.bodies) label_body(page, body, labels);
   for (const MapLine& line : scene.lines) svg += draw_draped(page, line, labels);
   svg += labels.svg();
   if (top_value > 0) {
-    svg += svg_colour_bar(margin, d.top + d.height + 34, scene.quantity, top_value);
+    svg += svg_colour_bar(scene_margin, d.top + d.height + 34, scene.quantity, top_value);
   }
   return svg + draw_scale(d, d.top + d.height + 40) + "</svg>\n";
 }

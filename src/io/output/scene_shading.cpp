@@ -11,7 +11,6 @@ namespace {
 constexpr Colour sky{247, 248, 249};
 constexpr Colour earth_colour{150, 156, 162};
 constexpr Colour wall_colour{178, 58, 44};
-constexpr Colour line_colour{60, 72, 84};
 constexpr Colour black{0, 0, 0};
 
 // Darker than on a map, which has no slopes that face away: brightness 0.85, flat ground, is 205.
@@ -54,7 +53,7 @@ Colour sample_colour(const DepthCanvas& canvas, int column, int row, const Scene
   if (column > 0) line = line_between(sample, canvas.at(column - 1, row), colours);
   if (row > 0) line = std::max(line, line_between(sample, canvas.at(column, row - 1), colours));
   const Colour colour = surface_colour(sample, colours);
-  return line > 0 ? mixed(colour, line_colour, line) : colour;
+  return line > 0 ? mixed(colour, ground_line_colour, line) : colour;
 }
 
 }  // namespace

@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+
+#include "math/angle.hpp"
 
 namespace sabo {
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 CanvasCorner corner_of(const SceneMesh& mesh, int column, int row, const CanvasView& view) {
   const SceneVertex& vertex = mesh.at(column, row);

@@ -20,7 +20,7 @@ namespace {
 constexpr std::string_view magic = "sabo checkpoint\n";
 constexpr std::size_t head_size = magic.size() + sizeof(std::uint32_t);
 constexpr std::size_t tail_size = sizeof(std::uint32_t);
-constexpr int level = 1;  // the fast end: numbers of a simulation hardly get smaller with more
+constexpr int zstd_level = 1;  // the fast end: numbers of a simulation hardly get smaller with more
 
 std::uint32_t crc_of(std::uint32_t before, const void* data, std::size_t size) {
   return static_cast<std::uint32_t>(crc32_z(before, static_cast<const Bytef*>(data), size));
@@ -43,7 +43,7 @@ class Packer {
   explicit Packer(std::function<void(const void*, std::size_t)> sink)
       : sink_(std::move(sink)), context_(ZSTD_createCCtx()), room_(ZSTD_CStreamOutSize()) {
     if (!context_) throw std::bad_alloc();
-    checked(ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, level));
+    checked(ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_compressionLevel, zstd_level));
     checked(ZSTD_CCtx_setParameter(context_.get(), ZSTD_c_checksumFlag, 1));
   }
   void put(const void* data, std::size_t size) { pack(data, size, ZSTD_e_continue); }

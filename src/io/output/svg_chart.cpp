@@ -20,7 +20,7 @@ constexpr double margin_top = 78;
 constexpr double margin_bottom = 52;
 constexpr double margin_left = 16;
 constexpr double margin_right = 24;
-constexpr double label_size = 12;
+constexpr double tick_size = 12;
 constexpr double name_size = 13;
 constexpr double legend_line = 20;  // height of a line of the legend
 
@@ -75,7 +75,7 @@ Axes axes_of(const LineChart& chart, double legend_height) {
   Axes axes{axis_over(x, chart.x_low, chart.x_high, 8), axis_over(y, chart.y_low, chart.y_high, 5)};
   double widest = 0;
   for (const AxisTick& tick : axes.y_axis.ticks) {
-    widest = std::max(widest, text_width(tick.label, label_size));
+    widest = std::max(widest, text_width(tick.label, tick_size));
   }
   axes.page_height = chart.height + legend_height;
   axes.left = std::max(44.0, widest + 24);
@@ -98,14 +98,13 @@ std::string draw_axes(const LineChart& chart, const Axes& axes) {
     const double y = axes.y(tick.value);
     const bool is_base = std::abs(tick.value) < 1e-9 * (axes.y_axis.high - axes.y_axis.low);
     svg += svg_line(axes.left, y, axes.right, y, is_base ? "#9aa5b1" : svg_light, 1);
-    svg += svg_text(axes.left - 8, y + 4, tick.label, {.size = label_size, .anchor = Anchor::end});
+    svg += svg_text(axes.left - 8, y + 4, tick.label, {.size = tick_size, .anchor = Anchor::end});
   }
   for (const AxisTick& tick : axes.x_axis.ticks) {
     const double x = axes.x(tick.value);
     svg += svg_line(x, axes.top, x, axes.bottom, svg_light, 1);
     svg += svg_line(x, axes.bottom, x, axes.bottom + 5, "#9aa5b1", 1);
-    svg +=
-        svg_text(x, axes.bottom + 20, tick.label, {.size = label_size, .anchor = Anchor::middle});
+    svg += svg_text(x, axes.bottom + 20, tick.label, {.size = tick_size, .anchor = Anchor::middle});
   }
   svg += svg_text((axes.left + axes.right) / 2, axes.page_height - 12, chart.x_title,
                   {.size = 13, .anchor = Anchor::middle});
@@ -157,7 +156,7 @@ std::string draw_references(const LineChart& chart, const Axes& axes) {
         "stroke-width=\"1.2\" stroke-dasharray=\"6 4\"/>\n",
         axes.left, y, axes.right, y, svg_muted);
     svg += svg_text(axes.right - 4, y - 6, line.label,
-                    {.size = label_size, .anchor = Anchor::end, .halo = true});
+                    {.size = tick_size, .anchor = Anchor::end, .halo = true});
   }
   return svg;
 }
@@ -179,7 +178,7 @@ std::string draw_marks(const LineChart& chart, const Axes& axes) {
     const bool is_right = x > axes.left + 0.7 * (axes.right - axes.left);
     svg += svg_text(x + (is_right ? -4 : 4), axes.top + 12 + 14 * static_cast<double>(k % 3),
                     mark.label,
-                    {.size = label_size,
+                    {.size = tick_size,
                      .colour = svg_ink,
                      .anchor = is_right ? Anchor::end : Anchor::start,
                      .halo = true});

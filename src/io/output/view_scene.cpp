@@ -17,7 +17,7 @@
 namespace sabo {
 namespace {
 
-constexpr std::uint16_t no_ground = 65535;
+constexpr std::uint16_t no_height = 65535;
 
 /// The texts in brackets.
 template <class Items, class Text>
@@ -38,7 +38,7 @@ std::string ground_text(const ViewScene& scene) {
   std::vector<std::uint16_t> heights;
   heights.reserve(grid.size());
   for (const double z : scene.ground.values)
-    heights.push_back(std::isfinite(z) ? quantised(z, low, high, no_ground - 1) : no_ground);
+    heights.push_back(std::isfinite(z) ? quantised(z, low, high, no_height - 1) : no_height);
   return fmt::format(
       "{{\"columns\":{},\"rows\":{},\"west\":{:.17g},\"north\":{:.17g},\"dx\":{:.17g},"
       "\"dy\":{:.17g},\"stride\":{},\"low\":{:.9g},\"high\":{:.9g},\n\"heights\":\"{}\"}}",

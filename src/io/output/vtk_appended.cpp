@@ -15,13 +15,13 @@ namespace sabo {
 namespace {
 
 constexpr std::size_t block_size = 1 << 18;  // bytes before compression
-constexpr int level = 1;                     // of zlib; particle data gain little from higher ones
+constexpr int zlib_level = 1;                // of zlib; particle data gain little from higher ones
 
 std::string compressed(std::span<const std::byte> block) {
   uLongf size = compressBound(block.size());
   std::string packed(size, '\0');
   if (compress2(reinterpret_cast<Bytef*>(packed.data()), &size,
-                reinterpret_cast<const Bytef*>(block.data()), block.size(), level) != Z_OK) {
+                reinterpret_cast<const Bytef*>(block.data()), block.size(), zlib_level) != Z_OK) {
     throw RunError("not enough memory to compress a frame");
   }
   packed.resize(size);

@@ -1,11 +1,16 @@
 #pragma once
 
+#include <bit>
 #include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 
 namespace sabo {
+
+/// That of this machine, as VTK XML files name it.
+inline constexpr const char* vtk_byte_order =
+    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
 /// The appended section of a VTK XML file: arrays one behind the other, each in zlib blocks behind
 /// a UInt64 header (number of blocks, block size, size of a last smaller block, compressed sizes).

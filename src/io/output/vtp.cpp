@@ -1,6 +1,5 @@
 #include "io/output/vtp.hpp"
 
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <type_traits>
@@ -14,9 +13,6 @@
 
 namespace sabo {
 namespace {
-
-constexpr const char* byte_order =
-    std::endian::native == std::endian::little ? "LittleEndian" : "BigEndian";
 
 // The parts of a PolyData file; each text holds DataArray elements of `data`.
 struct PolyData {
@@ -39,7 +35,7 @@ std::string file_text(const PolyData& p) {
       "NumberOfStrips=\"0\" NumberOfPolys=\"{}\">\n"
       "<PointData>\n{}</PointData>\n<Points>\n{}</Points>\n<{}>\n{}</{}>\n"
       "</Piece>\n</PolyData>\n<AppendedData encoding=\"raw\">\n_",
-      byte_order, p.fields, p.point_count, p.cell_kind == "Verts" ? p.cell_count : 0,
+      vtk_byte_order, p.fields, p.point_count, p.cell_kind == "Verts" ? p.cell_count : 0,
       p.cell_kind == "Polys" ? p.cell_count : 0, p.point_data, p.points, p.cell_kind, p.cells,
       p.cell_kind);
   text += p.data.bytes();
@@ -233,7 +229,7 @@ void PvdWriter::write() const {
                                            "<VTKFile type=\"Collection\" version=\"0.1\" "
                                            "byte_order=\"{}\">\n<Collection>\n{}</Collection>\n"
                                            "</VTKFile>\n",
-                                           byte_order, entries_));
+                                           vtk_byte_order, entries_));
 }
 
 }  // namespace sabo

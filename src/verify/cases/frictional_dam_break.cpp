@@ -7,13 +7,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "verify/cases.hpp"
 #include "verify/energy_books.hpp"
 #include "verify/sliding_dam_break.hpp"
 #include <fmt/format.h>
 
+#include "math/angle.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -21,13 +21,12 @@
 namespace sabo {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
-constexpr double g = 9.81, slope = 30 * radians, h0 = 0.5, reservoir = 4, bed = 8;  // m
-constexpr double internal_friction = 25;                                            // degrees
+constexpr double g = 9.81, slope = 30 * degree, h0 = 0.5, reservoir = 4, bed = 8;  // m
+constexpr double internal_friction = 25;                                           // degrees
 const double unit_time = std::sqrt(h0 / g);
 
 /// Depth-averaged, with a friction of the wall in degrees.
-SlidingDamBreak solution(double friction) { return {g, slope, friction * radians, h0}; }
+SlidingDamBreak solution(double friction) { return {g, slope, friction * degree, h0}; }
 
 /// The volume over each length of 0.1 m is its depth.
 double place_of_depth(const Particles& fluid, double spacing, double depth) {

@@ -11,11 +11,12 @@
 
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "verify/cases.hpp"
 #include "verify/cases/column_collapse.hpp"
 #include <fmt/format.h>
+
+#include "math/angle.hpp"
 
 namespace sabo {
 namespace {
@@ -48,7 +49,7 @@ MaterialCase coulomb(double friction_angle) {
 
 /// mu(I) of grains: static friction, its growth, I_0, diameter in m.
 MaterialCase mu_i(double friction, double increase, double i_0, double diameter) {
-  MaterialCase material = coulomb(std::atan(friction) * 180 / std::numbers::pi);
+  MaterialCase material = coulomb(std::atan(friction) / degree);
   MuI law;
   law.increase = increase;
   law.i_0 = i_0;

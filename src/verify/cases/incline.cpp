@@ -11,13 +11,14 @@
 #include "verify/shear_flow.hpp"
 #include <fmt/format.h>
 
+#include "math/angle.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_stepper.hpp"
 
 namespace sabo {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180, g = 9.81;
+constexpr double g = 9.81;
 
 /// What lies on which slope.
 struct Sheet {
@@ -46,7 +47,7 @@ struct Sheet {
 /// theta 30, phi 20 degrees, mu_B 5 Pa s, H 0.1 m; with mu_0/mu_B = 1000 the surface moves at
 /// 2.9138 (c = 0) and 2.0132 m/s (c = 50 Pa).
 Sheet mohr_coulomb(double slope_degrees, double cohesion, double friction_angle = 20) {
-  return {slope_degrees * radians, 0.1, 1600, 5, Cross{5, 1000, 1}, {cohesion, friction_angle, 0}};
+  return {slope_degrees * degree, 0.1, 1600, 5, Cross{5, 1000, 1}, {cohesion, friction_angle, 0}};
 }
 
 /// sin(theta) 0.0875, rho 1800, tau_y 100 Pa, mu_B 10 Pa s, at H 0.2 m: mean 1.095, surface 1.4138

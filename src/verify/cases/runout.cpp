@@ -8,12 +8,12 @@
 #include <chrono>
 #include <cmath>
 #include <memory>
-#include <numbers>
 
 #include "verify/cases.hpp"
 #include "verify/energy_books.hpp"
 #include <fmt/format.h>
 
+#include "math/angle.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_backend.hpp"
 #include "solver/make_stepper.hpp"
@@ -23,8 +23,7 @@
 namespace sabo {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
-constexpr double steep = 33 * radians, gentle = 5 * radians;
+constexpr double steep = 33 * degree, gentle = 5 * degree;
 constexpr double block_length = 20.25;   // m, along the slope
 constexpr double depth = 3.75;           // m
 constexpr double above_foot = 5;         // m, of the block along the slope

@@ -2,20 +2,19 @@
 // 33 degrees it runs, with 16 degrees, below its friction angle of 28, it only creeps.
 
 #include <cmath>
-#include <numbers>
 #include <optional>
 
 #include "verify/cases.hpp"
 #include "verify/slab_solution.hpp"
 #include <fmt/format.h>
 
+#include "math/angle.hpp"
 #include "solver/lattice.hpp"
 #include "solver/make_stepper.hpp"
 
 namespace sabo {
 namespace {
 
-constexpr double radians = std::numbers::pi / 180;
 constexpr double depth = 3.75, friction_angle = 28, g = 9.81;
 
 struct Slab {
@@ -64,7 +63,7 @@ ChartSeries simulated(const Slab& slab, const VerifySettings& settings, double e
 }
 
 ChartSeries exact(double slope, double ratio, double end) {
-  SlabSolution solution{slope, friction_angle * radians};
+  SlabSolution solution{slope, friction_angle * degree};
   solution.ratio = ratio;
   ChartSeries series{"one dimension", {0}, {0}};
   constexpr int points = 12;
@@ -80,7 +79,7 @@ ChartSeries exact(double slope, double ratio, double end) {
 /// What the stress sum of the paper makes of the slab, by what its walls carry. The sum over a
 /// plane weighs both sides by half: walls without stress halve the friction.
 void add_published(const VerifySettings& settings, double end, Verdict& verdict) {
-  const double slope = 33 * radians, ratio = 1e3;
+  const double slope = 33 * degree, ratio = 1e3;
   const double expected = exact(slope, ratio, end).y.back();
   for (const BoundaryStress stress :
        {BoundaryStress::own, BoundaryStress::mirror, BoundaryStress::none})
@@ -94,7 +93,7 @@ void add_published(const VerifySettings& settings, double end, Verdict& verdict)
 /// With r = tan(slope) / tan(friction angle) below 1 the shear rate is x tau_B / mu_0, x = r / (1 -
 /// r) (to mu_B / mu_0), so the mean speed is x rho g cos(slope) tan(friction angle) H^2 / (3 mu_0).
 double creep(double slope, double ratio) {
-  const double friction = std::tan(friction_angle * radians);
+  const double friction = std::tan(friction_angle * degree);
   const double r = std::tan(slope) / friction;
   return r / (1 - r) * 1726 * g * std::cos(slope) * friction * depth * depth / (3 * 1255 * ratio);
 }
@@ -103,7 +102,7 @@ double creep(double slope, double ratio) {
 
 Verdict verify_slab(const VerifySettings& settings) {
   constexpr double end = 3;  // s
-  const double steep = 33 * radians, gentle = 16 * radians;
+  const double steep = 33 * degree, gentle = 16 * degree;
   Verdict verdict;
   double done = 0;
   const auto report = [&](double share) { settings.on_progress(done += share); };
