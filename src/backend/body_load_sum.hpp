@@ -1,43 +1,32 @@
 #pragma once
 
 #include <algorithm>
-#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "backend/body_load.hpp"
 #include "base/error.hpp"
-#include "particles/particles.hpp"
 
 namespace sabo {
 
 /// What the fluid does to bodies, from the forces on their particles.
 class BodyLoadSum {
  public:
-  /// Finds the boundary particles that belong to bodies; no loads yet. Numbers of bodies once known
-  /// stay.
-  void list(const Particles& boundary) {
-    forces_.clear();
-    rows_.clear();
+  /// Takes the boundary particles that belong to bodies, in the order in which their forces come.
+  /// Loads stay what they were: those of bodies once known, whether or not they have particles.
+  void list(std::vector<BodyForce> particles) {
+    forces_ = std::move(particles);
     std::size_t bodies = loads_.size();
-    for (std::size_t b = 0; b < boundary.size(); ++b) {
-      if (boundary.body[b] == 0) continue;
-      rows_.push_back(static_cast<std::uint32_t>(b));
-      forces_.push_back({boundary.body[b], boundary.position[b], {}});
-      bodies = std::max<std::size_t>(bodies, boundary.body[b]);
-    }
+    for (const BodyForce& at : forces_) bodies = std::max<std::size_t>(bodies, at.body);
     loads_.resize(bodies);
   }
 
-  void clear() {
+  /// Sums up forces on these particles, N. In their order, whoever found which.
+  void sum(const std::vector<Vec3d>& forces) {
     std::ranges::fill(loads_, BodyLoad{});
-    for (BodyForce& at : forces_) at.force = {};
-  }
-
-  /// Adds forces on the particles of rows(), N. In their order, whoever summed which.
-  void add(const std::vector<Vec3d>& forces) {
-    for (std::size_t k = 0; k < rows_.size(); ++k) {
+    for (std::size_t k = 0; k < forces_.size(); ++k) {
       BodyForce& at = forces_[k];
-      at.force += forces[k];
+      at.force = forces[k];
       loads_[at.body - 1] += BodyLoad{forces[k], cross(at.position, forces[k])};
     }
   }
@@ -56,14 +45,11 @@ class BodyLoadSum {
     a(loads_, forces_);
   }
 
-  /// Rows of the boundary.
-  const std::vector<std::uint32_t>& rows() const { return rows_; }
   const std::vector<BodyLoad>& loads() const { return loads_; }
   const std::vector<BodyForce>& forces() const { return forces_; }
 
  private:
-  std::vector<std::uint32_t> rows_;
-  std::vector<BodyForce> forces_;  // by row
+  std::vector<BodyForce> forces_;
   std::vector<BodyLoad> loads_;
 };
 

@@ -33,7 +33,7 @@ void HostBackend::find_neighbours() {
   if (model_.periodic.any())
     on_.for_each(fluid_.size(), WrapPosition{model_.periodic, fluid_.position.data()});
   list_pairs();
-  body_loads_.list(boundary_);
+  list_bodies();
   settle_driven();
   const std::size_t all = fluid_.size() + boundary_.size();
   strain_.assign(all, {});

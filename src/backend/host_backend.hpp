@@ -128,6 +128,7 @@ class HostBackend : public Backend {
   template <class Archive>
   void archive_state(Archive& a);
   void list_again(std::vector<Vec3d>& listed);
+  void list_bodies();
 
   std::vector<std::uint32_t> driven_walls_;  // boundary particles that may be near driven ones
   std::vector<Vec3d> start_position_;
@@ -136,7 +137,8 @@ class HostBackend : public Backend {
   std::vector<double> start_boundary_density_;
 
   BodyLoadSum body_loads_;
-  std::vector<Vec3d> row_forces_;  // on each particle of bodies by one kind of pairs, N
+  std::vector<std::uint32_t> body_rows_;  // boundary particles of bodies
+  std::vector<Vec3d> row_forces_;         // on each of them, N
 };
 
 }  // namespace sabo

@@ -1,6 +1,8 @@
 #include <cmath>
+#include <utility>
 #include <variant>
 
+#include "backend/compact.hpp"
 #include "backend/host_backend.hpp"
 #include "backend/host_near.hpp"
 #include "backend/sweeps/boundary_sweeps.hpp"
@@ -83,33 +85,39 @@ void HostBackend::update_sleep() {
   if (changes || awake_.size() != before) prepare_rows();
 }
 
+void HostBackend::list_bodies() {
+  list_kept(on_, boundary_.size(), BelongsToBody{view_of(boundary_)}, body_rows_);
+  std::vector<BodyForce> particles(body_rows_.size());
+  on_.for_each(particles.size(),
+               FindBodyParticle{view_of(boundary_), body_rows_.data(), particles.data()});
+  body_loads_.list(std::move(particles));
+  row_forces_.assign(body_rows_.size(), {});
+}
+
 /// Adds force(i, b, pair) on boundary particle b by each fluid particle i near it, N.
 template <class PairForce>
 void HostBackend::add_to_bodies(const PairForce& force) {
   const PassClock clock(pass_times_, "bodies");
-  const std::vector<std::uint32_t>& rows = body_loads_.rows();
-  row_forces_.resize(rows.size());
-  using Sum = SumOnBody<HostNear, PairForce>;
-  const Sum sum{view(), HostNear(*this), rows.data(), force, row_forces_.data()};
-  on_.for_each_slow(rows.size(), sum);
-  body_loads_.add(row_forces_);
+  using Add = AddToBody<HostNear, PairForce>;
+  const Add add{view(), HostNear(*this), body_rows_.data(), force, row_forces_.data()};
+  on_.for_each_slow(body_rows_.size(), add);
+  body_loads_.sum(row_forces_);
 }
 
 void HostBackend::load_bodies_by_stress() {
   if (body_loads_.loads().empty()) return;
-  body_loads_.clear();
+  row_forces_.assign(body_rows_.size(), {});
   add_to_bodies(StressOnBody{view()});
 }
 
 void HostBackend::load_bodies_by_pressure() {
   if (body_loads_.loads().empty()) return;
-  body_loads_.clear();
+  row_forces_.assign(body_rows_.size(), {});
   add_to_bodies(PressureOnBody{view()});
 }
 
 void HostBackend::load_bodies_by_friction() {
-  if (body_loads_.loads().empty()) return;
-  add_to_bodies(FrictionOnBody{view()});
+  if (!body_loads_.loads().empty()) add_to_bodies(FrictionOnBody{view()});
 }
 
 }  // namespace sabo

@@ -69,6 +69,25 @@ TEST_P(BodyLoads, TakeTheMomentumThatTheFluidLoses) {
   for (const test::On kind : test::backends()) expect_momentum_kept(GetParam(), kind, model);
 }
 
+// Ground and bodies are there beside the flow only: a body that it has left bears nothing.
+TEST_P(BodyLoads, AreZeroOnceNoParticleOfTheBodyIsThere) {
+  const FlowModel model = water(0.1, 0.5);
+  for (const test::On kind : test::backends()) {
+    auto backend = test::make_backend(kind, model);
+    add_box(backend->fluid(), model, {{0, 0, 0}, {0.5, 0.5, 0.5}});
+    add_box(backend->boundary(), model, {{-0.3, -0.3, -0.3}, {0.8, 0.8, 0}}, 1);
+    const auto stepper = test::stepper_of(GetParam(), *backend);
+    for (int step = 0; step < 5; ++step) stepper->step();
+    EXPECT_LT(backend->body_loads().at(0).force.z, 0);
+    EXPECT_FALSE(backend->body_forces().empty());
+    backend->change_boundary({{{0, static_cast<std::uint32_t>(backend->boundary_count())}}, {}});
+    backend->find_neighbours();
+    stepper->step();
+    EXPECT_EQ(norm(backend->body_loads().at(0).force), 0);
+    EXPECT_TRUE(backend->body_forces().empty());
+  }
+}
+
 // Mean load over the time from `settle` to twice that.
 std::vector<BodyLoad> mean_loads(Method method, Backend& backend, double settle) {
   const auto stepper = test::stepper_of(method, backend);

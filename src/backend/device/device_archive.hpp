@@ -14,7 +14,7 @@ void DeviceBackend<Executor>::archive_state(Archive& a) {
   on_.download(list_position_, listed);
   HeatAccount account = heat();
   BackendState state{model_.state.c0, fluid(), boundary(),   awake,
-                     body_loads_,     account, pass_times(), listed};
+                     fetched_loads(), account, pass_times(), listed};
   state.archive(a);
   if constexpr (Archive::is_reader) {
     state.check(list_radius());

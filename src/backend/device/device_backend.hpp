@@ -77,8 +77,8 @@ class DeviceBackend : public Backend {
   FlowHealth health() const override;
   double dissipation() const override;
   const HeatAccount& heat() const override;
-  const std::vector<BodyLoad>& body_loads() const override { return body_loads_.loads(); }
-  const std::vector<BodyForce>& body_forces() const override { return body_loads_.forces(); }
+  const std::vector<BodyLoad>& body_loads() const override { return fetched_loads().loads(); }
+  const std::vector<BodyForce>& body_forces() const override { return fetched_loads().forces(); }
 
   void predict(double dt) override;
   void correct(double dt) override;
@@ -162,7 +162,8 @@ class DeviceBackend : public Backend {
   SortedSet sort(DeviceParticles<Executor>& set, const CloudBox& box);
   void list_pairs();
   double relative_way() const;
-  Particles boundary_bodies() const;
+  void list_bodies();
+  BodyLoadSum& fetched_loads() const;
   void forget_results();
   void need_explicit_arrays();
   void need_implicit_arrays();
@@ -228,10 +229,11 @@ class DeviceBackend : public Backend {
   Array<HeatAccount> account_;  // one
   mutable std::vector<HeatAccount> account_copy_;
 
-  BodyLoadSum body_loads_;
-  Array<std::uint32_t> body_rows_;
-  Array<Vec3d> row_forces_;
-  std::vector<Vec3d> row_forces_copy_;
+  Array<std::uint32_t> body_rows_;  // boundary particles of bodies
+  Array<Vec3d> row_forces_;         // on each of them, N
+  mutable BodyLoadSum body_loads_;  // of row_forces_, once they are fetched
+  mutable std::vector<Vec3d> row_forces_copy_;
+  mutable bool has_new_forces_ = false;
 
   StagedParticles<Executor> staged_;
   std::optional<typename Executor::Moment> staged_then_;  // when staged_ is there

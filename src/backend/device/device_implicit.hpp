@@ -53,7 +53,7 @@ void DeviceBackend<Executor>::near_forces() {
     needs_motion ? sweep.template operator()<true>() : sweep.template operator()<false>();
   }
   if (body_loads_.loads().empty()) return;
-  body_loads_.clear();
+  on_.zero(row_forces_, body_rows_.size());
   add_to_bodies(PressureOnBody{view()});
 }
 

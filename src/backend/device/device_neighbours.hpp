@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <string>
+#include <utility>
 
 #include "backend/check_periods.hpp"
 #include "backend/compact.hpp"
@@ -11,6 +12,7 @@
 #include "backend/device/device_backend.hpp"
 #include "backend/device/implicit_pair_sweeps.hpp"
 #include "backend/device/list_motion.hpp"
+#include "backend/sweeps/boundary_sweeps.hpp"
 #include "backend/sweeps/driven.hpp"
 #include "backend/sweeps/explicit_sweeps.hpp"
 #include "backend/sweeps/sleep.hpp"
@@ -160,9 +162,7 @@ void DeviceBackend<Executor>::find_neighbours() {
   on_.release(sorted_fluid_.places);
   on_.copy(fluid_.position, list_position_);
   has_list_ = true;
-  body_loads_.list(boundary_bodies());
-  on_.upload(body_loads_.rows(), body_rows_);
-  on_.reserve(row_forces_, body_loads_.rows().size());
+  list_bodies();
   on_.zero(density_rate_, all());
   on_.zero(acceleration_, fluid_.size());
   list_awake();
@@ -170,14 +170,16 @@ void DeviceBackend<Executor>::find_neighbours() {
   prepare_rows();
 }
 
-/// What BodyLoadSum::list() wants to know.
 template <class Executor>
-Particles DeviceBackend<Executor>::boundary_bodies() const {
-  Particles known;
-  on_.download(boundary_.body, known.body);
-  if (std::ranges::count(known.body, 0) == std::ssize(known.body)) return {};
-  on_.download(boundary_.position, known.position);
-  return known;
+void DeviceBackend<Executor>::list_bodies() {
+  list_kept(on_, boundary_.size(), BelongsToBody{boundary_.view()}, body_rows_);
+  Array<BodyForce> listed;
+  on_.reserve(listed, body_rows_.size());
+  on_.for_each(listed.size(), FindBodyParticle{boundary_.view(), body_rows_.data(), listed.data()});
+  std::vector<BodyForce> particles;
+  on_.download(listed, particles);
+  fetched_loads().list(std::move(particles));
+  on_.zero(row_forces_, body_rows_.size());
 }
 
 /// The order of the particles is another one now.

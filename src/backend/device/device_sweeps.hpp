@@ -1,5 +1,6 @@
 #pragma once
 
+#include <utility>
 #include <variant>
 
 #include "backend/device/device_neighbours.hpp"
@@ -73,7 +74,7 @@ void DeviceBackend<Executor>::momentum() {
                  : sweep.template operator()<false, false>();
   }
   if (!body_loads_.loads().empty()) {
-    body_loads_.clear();
+    on_.zero(row_forces_, body_rows_.size());
     add_to_bodies(StressOnBody{view()});
   }
   hold_driven();
@@ -103,11 +104,19 @@ template <class Executor>
 template <class PairForce>
 void DeviceBackend<Executor>::add_to_bodies(const PairForce& force) {
   const Clock clock(*this, "bodies");
-  using Sum = SumOnBody<RowNear, PairForce>;
+  using Add = AddToBody<RowNear, PairForce>;
   on_.for_each(body_rows_.size(),
-               Sum{view(), RowNear{rows()}, body_rows_.data(), force, row_forces_.data()});
+               Add{view(), RowNear{rows()}, body_rows_.data(), force, row_forces_.data()});
+  has_new_forces_ = true;
+}
+
+/// With what has been added since the last time, which is waited for here, once a step.
+template <class Executor>
+BodyLoadSum& DeviceBackend<Executor>::fetched_loads() const {
+  if (!std::exchange(has_new_forces_, false)) return body_loads_;
   on_.download(row_forces_, row_forces_copy_);
-  body_loads_.add(row_forces_copy_);
+  body_loads_.sum(row_forces_copy_);
+  return body_loads_;
 }
 
 template <class Executor>

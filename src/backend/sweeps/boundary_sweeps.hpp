@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "backend/body_load.hpp"
 #include "backend/flow_view.hpp"
 #include "physics/pair/forces.hpp"
 
@@ -38,10 +39,27 @@ struct ExtrapolateToBoundary {
 // by the particles of the bodies, which are few, so that the sweeps over the fluid know nothing of
 // it; a force acts at the particle of the body.
 
-/// Force on the k-th boundary particle of a body, N: the sum of force(i, b, pair) over the fluid i
-/// near it.
+/// Whether a boundary particle belongs to a body.
+struct BelongsToBody {
+  ParticleView boundary;
+  SABO_HD bool operator()(std::size_t b) const { return boundary.body[b] != 0; }
+};
+
+/// The k-th boundary particle of a body, without a force.
+struct FindBodyParticle {
+  ParticleView boundary;
+  const std::uint32_t* rows;
+  BodyForce* particles;
+  SABO_HD void operator()(std::size_t k) const {
+    const std::size_t b = rows[k];
+    particles[k] = {boundary.body[b], boundary.position[b], {}};
+  }
+};
+
+/// To the force on the k-th boundary particle of a body, N: the sum of force(i, b, pair) over the
+/// fluid i near it.
 template <class Near, class PairForce>
-struct SumOnBody {
+struct AddToBody {
   FlowView flow;
   Near near;
   const std::uint32_t* rows;
@@ -57,7 +75,7 @@ struct SumOnBody {
           flow.model.periodic.nearest(flow.fluid.position[i] - flow.boundary.position[b]);
       sum += force(i, b, pair_geometry(x, kernel));
     });
-    sums[k] = sum;
+    sums[k] += sum;
   }
 };
 
