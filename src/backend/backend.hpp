@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -59,9 +60,10 @@ class Backend {
   /// host does next: what is returned waits for it and fills `into`. That is to be called once, in
   /// any thread, before another copy is asked for.
   virtual std::function<void()> copy_fluid(Particles& into) = 0;
-  /// Where the fluid is: less than all that fluid() fetches, and nothing to hand back.
-  virtual const std::vector<Vec3d>& positions() = 0;
-  /// The same with numbers and masses, in the order of fluid(). Good until the next sweep.
+  /// Where the fluid is: less than all that fluid() fetches, and nothing to hand back. Good until
+  /// the next sweep.
+  virtual std::span<const Vec3d> positions() = 0;
+  /// The same with numbers and masses, in the order of fluid().
   virtual Places places() = 0;
   /// Takes boundary particles out and adds others, where they are; as a change from outside.
   virtual void change_boundary(const BoundaryChange& change) = 0;

@@ -21,7 +21,7 @@ class HostBackend : public Backend {
     into = fluid_;
     return [] {};
   }
-  const std::vector<Vec3d>& positions() override { return fluid_.position; }
+  std::span<const Vec3d> positions() override { return fluid_.position; }
   Places places() override { return fluid_; }
   Particles& boundary() override { return boundary_; }
   void change_boundary(const BoundaryChange& change) override { change.apply_to(boundary_); }

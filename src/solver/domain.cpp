@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -31,7 +32,7 @@ void Domain::advance_inflows(Particles& fluid, const Tait& state, double time, d
 }
 
 void Domain::update(Backend& backend) {
-  const std::vector<Vec3d>& positions = backend.positions();
+  const std::span<const Vec3d> positions = backend.positions();
   std::vector<Place> places(positions.size());
   const int threads = backend.model().threads;
   over(positions.size(), host_threads(threads),

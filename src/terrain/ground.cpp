@@ -131,7 +131,7 @@ std::int64_t Ground::tile_at(double x, double y) const {
   return key_of(tile.west, tile.south);
 }
 
-BoundaryChange Ground::follow(const std::vector<Vec3d>& fluid, double reach, int threads) {
+BoundaryChange Ground::follow(std::span<const Vec3d> fluid, double reach, int threads) {
   const std::vector<std::int64_t> wanted = tiles_near(fluid, reach, threads);
   BoundaryChange change{drop_tiles_except(wanted), {}};
   std::vector<std::int64_t> fresh;
@@ -159,7 +159,7 @@ void Ground::make_all(double west, double south, double east, double north, Part
 }
 
 /// Keys of the tiles within reach, sorted.
-std::vector<std::int64_t> Ground::tiles_near(const std::vector<Vec3d>& fluid, double reach,
+std::vector<std::int64_t> Ground::tiles_near(std::span<const Vec3d> fluid, double reach,
                                              int threads) const {
   const Grid& grid = surface_.elevation().grid;
   const double margin = columns_.margin();

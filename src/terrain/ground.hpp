@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <map>
+#include <span>
 #include <vector>
 
 #include "particles/boundary_change.hpp"
@@ -28,7 +29,7 @@ class Ground {
   /// Makes the tiles within `reach` (m, in plan) of any fluid particle and drops the others: what
   /// is to change in the boundary as the last call left it, in whatever order it is and with
   /// whatever fields the solver has advanced. Threads as host_threads() takes them.
-  BoundaryChange follow(const std::vector<Vec3d>& fluid, double reach, int threads = 1);
+  BoundaryChange follow(std::span<const Vec3d> fluid, double reach, int threads = 1);
 
   /// Appends every lattice column of the terrain whose centre lies in a rectangle, for periodic
   /// set-ups, without dams and without columns beyond an edge of the domain. follow() knows nothing
@@ -54,7 +55,7 @@ class Ground {
   }
 
  private:
-  std::vector<std::int64_t> tiles_near(const std::vector<Vec3d>& fluid, double reach,
+  std::vector<std::int64_t> tiles_near(std::span<const Vec3d> fluid, double reach,
                                        int threads) const;
   std::vector<IdRun> drop_tiles_except(const std::vector<std::int64_t>& wanted);
   void make_tile(std::int64_t key, std::vector<GroundPoint>& into) const;

@@ -37,7 +37,7 @@ class DeviceBackend : public Backend {
   Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
   std::function<void()> copy_fluid(Particles& into) override;
-  const std::vector<Vec3d>& positions() override;
+  std::span<const Vec3d> positions() override;
   Places places() override;
   void change_boundary(const BoundaryChange& change) override;
   PassTimes& pass_times() override {
@@ -238,7 +238,7 @@ class DeviceBackend : public Backend {
   StagedParticles<Executor> staged_;
   std::optional<typename Executor::Moment> staged_then_;  // when staged_ is there
 
-  std::vector<Vec3d> positions_copy_;
+  typename Executor::template StagingArray<Vec3d> positions_copy_;
   std::vector<std::uint32_t> ids_copy_;  // empty until they are asked for in the present order
   std::vector<double> masses_copy_;
   mutable std::vector<Vec3d> accelerations_copy_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
+#include <span>
 #include <string>
 #include <utility>
 
@@ -56,11 +57,14 @@ std::function<void()> DeviceBackend<Executor>::copy_fluid(Particles& into) {
 }
 
 template <class Executor>
-const std::vector<Vec3d>& DeviceBackend<Executor>::positions() {
+std::span<const Vec3d> DeviceBackend<Executor>::positions() {
   if (fluid_copy_.is_current) return fluid_copy_.particles.position;
-  if (!fluid_copy_.has_places) on_.download(fluid_.position, positions_copy_);
+  if (!fluid_copy_.has_places) {
+    on_.start_download(fluid_.position, positions_copy_);
+    on_.await(on_.now());
+  }
   fluid_copy_.has_places = true;
-  return positions_copy_;
+  return {positions_copy_.data(), positions_copy_.size()};
 }
 
 /// Numbers and masses stay what they are until the next list.
