@@ -78,6 +78,10 @@ int run(const RunCommandOptions& options) {
   if (options.resume) run_options.former = FormerRun::resumed;
   if (options.branch_at && !(*options.branch_at >= 0 && std::isfinite(*options.branch_at)))
     throw CaseError("--branch-at", "is not a time", "give seconds since the start of that run");
+  std::error_code error;
+  if (options.branch_at &&
+      std::filesystem::equivalent(options.branch_from, run_options.folder, error))
+    throw CaseError("--output", "is the run that this one starts from", "give another folder");
   if (options.branch_at) run_options.branch = {options.branch_from, *options.branch_at};
   run_options.stop = &stop;
   ProgressDisplay display(std::ranges::any_of(c.structures, [](const StructureCase& structure) {

@@ -83,6 +83,9 @@ class Recorder {
   void write_row(const Stepper& stepper, const StepReport& report, const FlowHealth& health,
                  Backend& backend);
 
+  /// Waits until all that was sampled is in the maps. Throws RunError when it could not be copied.
+  void settle() { mapping_.settle(); }
+
   /// Takes the last state into the maps.
   void finish(double time, const Particles& fluid);
 

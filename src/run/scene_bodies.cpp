@@ -13,6 +13,7 @@
 #include "math/angle.hpp"
 #include "run/scene_lines.hpp"
 #include "solver/flow_model.hpp"
+#include "terrain/body_points.hpp"
 
 namespace sabo {
 namespace {
@@ -129,6 +130,20 @@ void refuse_beside(const Body& body, const std::string& key, const Surface& surf
                   "check its coordinates, at and scale, or take a larger DEM");
 }
 
+/// Nothing flows in the ground. Corners tell soon; a body may also look out between them.
+void refuse_buried(const Body& body, const std::string& key, const Case& c,
+                   const Surface& surface) {
+  const auto looks_out = [&](const Vec3d& x) {
+    return surface.inside(x.x, x.y) && x.z > surface.height(x.x, x.y);
+  };
+  if (std::ranges::any_of(body.mesh().vertices, looks_out) ||
+      std::ranges::any_of(body_points(body, c.numerics.spacing, c.material.density), looks_out,
+                          &GroundPoint::position))
+    return;
+  throw CaseError(key, fmt::format("\"{}\" has no part above the ground", body.name()),
+                  "check its place and its elevation");
+}
+
 }  // namespace
 
 void read_bodies(const Case& c, Scene& scene, Faults& faults) {
@@ -137,6 +152,7 @@ void read_bodies(const Case& c, Scene& scene, Faults& faults) {
     collected(faults, [&] {
       scene.bodies.push_back(body_of(c.bodies[k], key, c, scene.frame));
       refuse_beside(scene.bodies.back(), key, *scene.surface);
+      refuse_buried(scene.bodies.back(), key, c, *scene.surface);
     });
   }
   const double reach = scene.buildings.empty() ? 0 : reach_of(c);

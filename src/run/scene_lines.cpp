@@ -56,10 +56,19 @@ Polyline read_line(const LineSource& source, const std::string& key, const Scene
   return line;
 }
 
+Polygon drawn_polygon(const LineSource& source, const std::string& key) {
+  Polygon polygon{{points_of(source)}};
+  if (const std::string fault = fault_of(polygon); !fault.empty())
+    throw CaseError(key, "is no sound polygon: " + fault,
+                    "give its corners in the order around it");
+  return polygon;
+}
+
 std::vector<Polygon> read_area(const LineSource& source, const std::string& key,
                                const Frame& frame) {
-  std::vector<Polygon> polygons = source.file.empty() ? std::vector<Polygon>{{{points_of(source)}}}
-                                                      : read_polygons(source.file, frame.crs, key);
+  std::vector<Polygon> polygons = source.file.empty()
+                                      ? std::vector<Polygon>{drawn_polygon(source, key)}
+                                      : read_polygons(source.file, frame.crs, key);
   for (Polygon& polygon : polygons) move(frame, polygon);
   return polygons;
 }

@@ -29,6 +29,9 @@ inline void move(const Frame& frame, Polygon& polygon) {
 /// also when no part of it lies on the ground of the scene.
 Polyline read_line(const LineSource& source, const std::string& key, const Scene& scene);
 
+/// A polygon given by its coordinates. Throws CaseError for one without a clear inside.
+Polygon drawn_polygon(const LineSource& source, const std::string& key);
+
 /// The polygons that a key of the case names, in the solver frame. Throws CaseError at the key.
 std::vector<Polygon> read_area(const LineSource& source, const std::string& key,
                                const Frame& frame);

@@ -16,10 +16,26 @@
 #include "run/scene_lines.hpp"
 #include "solver/flow_model.hpp"
 #include "terrain/jitter.hpp"
+#include "terrain/prism_mesh.hpp"
 #include "terrain/release.hpp"
 
 namespace sabo {
 namespace {
+
+/// Where two overlap, thickness and volume would each count another of them.
+void refuse_overlaps(const std::vector<ThickPolygon>& thick) {
+  constexpr double largest_overlap = 0.01;  // of the smaller one: rounding of outlines
+  for (std::size_t i = 0; i < thick.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const Polygon &a = thick[j].polygon, &b = thick[i].polygon;
+      const double shared = shared_area(a, b);
+      if (shared <= largest_overlap * std::min(area(a), area(b))) continue;
+      throw CaseError("release.polygon",
+                      fmt::format("polygons {} and {} overlap by {:.3g} m2", j + 1, i + 1, shared),
+                      "join them, or cut one out of the other");
+    }
+  }
+}
 
 /// Polygons with the thickness that an attribute of each says.
 std::vector<ThickPolygon> read_thick_polygons(const ReleaseCase& release, const Frame& frame) {
@@ -36,6 +52,7 @@ std::vector<ThickPolygon> read_thick_polygons(const ReleaseCase& release, const 
     move(frame, valued.polygon);
     thick.push_back({std::move(valued.polygon), valued.value});
   }
+  refuse_overlaps(thick);
   return thick;
 }
 
@@ -44,6 +61,7 @@ ReleaseShape polygon_shape(const ReleaseCase& release, const Frame& frame) {
   std::vector<ThickPolygon> thick;
   for (Polygon& polygon : read_area(release.polygon, "release.polygon", frame))
     thick.push_back({std::move(polygon), release.thickness.value_or(1)});
+  refuse_overlaps(thick);
   return release_of(std::move(thick));
 }
 
@@ -100,18 +118,20 @@ void make_hydrostatic(const Case& c, Scene& scene) {
     return std::pair{std::floor(x.x / dp), std::floor(x.y / dp)};
   };
   std::map<std::pair<double, double>, double> top;
-  for (const Vec3d& x : release.position) {
-    const auto [entry, is_new] = top.try_emplace(column_of(x), x.z);
-    if (!is_new) entry->second = std::max(entry->second, x.z);
+  for (std::size_t i = 0; i < release.size(); ++i) {
+    const Vec3d& x = release.position[i];
+    const double height = release.mass[i] / (c.material.density * dp * dp);  // that it stands for
+    double& highest = top.try_emplace(column_of(x), x.z).first->second;
+    highest = std::max(highest, x.z + 0.5 * height);
   }
   for (const Vec3d& x : release.position)
-    scene.release_depth = std::max(
-        scene.release_depth, top.at(column_of(x)) + 0.5 * dp - scene.surface->height(x.x, x.y));
+    scene.release_depth =
+        std::max(scene.release_depth, top.at(column_of(x)) - scene.surface->height(x.x, x.y));
 
   const Tait state = flow_model(c.material, c.numerics, scene.greatest_depth()).state;
   for (std::size_t i = 0; i < release.size(); ++i) {
     const Vec3d& x = release.position[i];
-    const double depth = top.at(column_of(x)) + 0.5 * dp - x.z;
+    const double depth = top.at(column_of(x)) - x.z;
     const double cosine = scene.surface->normal(x.x, x.y).z;
     release.density[i] = state.density(state.rho0 * c.numerics.gravity * depth * cosine * cosine);
   }

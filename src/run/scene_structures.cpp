@@ -116,12 +116,7 @@ std::vector<ValuedPolygon> read_outlines(const StructureCase& c, const std::stri
     for (Polygon& outline : read_polygons(c.polygon.file, scene.frame.crs, polygon))
       outlines.push_back({std::move(outline), c.height.value_or(0)});
   } else {
-    Polygon outline{{{}}};
-    for (const auto& p : c.polygon.coordinates) outline.rings[0].push_back({p[0], p[1], 0});
-    if (const std::string fault = fault_of(outline); !fault.empty())
-      throw CaseError(polygon, "is no sound polygon: " + fault,
-                      "give its corners in the order around it");
-    outlines.push_back({std::move(outline), c.height.value_or(0)});
+    outlines.push_back({drawn_polygon(c.polygon, polygon), c.height.value_or(0)});
   }
   return outlines;
 }
@@ -161,26 +156,10 @@ void add_buildings(const StructureCase& c, const std::string& key, Scene& scene)
   }
 }
 
-Bounds plan_bounds(const Polygon& outline) {
-  Bounds bounds{outline.rings[0][0], outline.rings[0][0]};
-  for (const Vec3d& v : outline.rings[0]) {
-    bounds.low = {std::min(bounds.low.x, v.x), std::min(bounds.low.y, v.y), 0};
-    bounds.high = {std::max(bounds.high.x, v.x), std::max(bounds.high.y, v.y), 0};
-  }
-  return bounds;
-}
-
-bool meet(const Bounds& a, const Bounds& b) {
-  return a.low.x < b.high.x && b.low.x < a.high.x && a.low.y < b.high.y && b.low.y < a.high.y;
-}
-
 /// Buildings may share walls, but not ground.
 void check_overlaps(const std::vector<Building>& buildings, Faults& faults) {
-  std::vector<Bounds> bounds;
-  for (const Building& building : buildings) bounds.push_back(plan_bounds(building.outline));
   for (std::size_t i = 0; i < buildings.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (!meet(bounds[i], bounds[j])) continue;
       const Polygon &a = buildings[i].outline, &b = buildings[j].outline;
       const double shared = shared_area(a, b);
       if (shared <= largest_overlap * std::min(area(a), area(b))) continue;
@@ -195,7 +174,6 @@ void check_overlaps(const std::vector<Building>& buildings, Faults& faults) {
 /// A dam in plan: a rectangle for each piece of its line.
 struct Plan {
   std::vector<Polygon> pieces;
-  std::vector<Bounds> bounds;
   double area = 0;  // m2
 };
 
@@ -207,7 +185,6 @@ Plan plan_of(const CheckDam& dam) {
     if (!(span > 0)) continue;
     const Vec3d aside = dam.thickness / (2 * span) * Vec3d{a.y - b.y, b.x - a.x, 0};
     plan.pieces.push_back({{{a + aside, a - aside, b - aside, b + aside}}});
-    plan.bounds.push_back(plan_bounds(plan.pieces.back()));
     plan.area += span * dam.thickness;
   }
   return plan;
@@ -215,9 +192,8 @@ Plan plan_of(const CheckDam& dam) {
 
 double shared_area(const Plan& a, const Plan& b) {
   double shared = 0;
-  for (std::size_t i = 0; i < a.pieces.size(); ++i)
-    for (std::size_t j = 0; j < b.pieces.size(); ++j)
-      if (meet(a.bounds[i], b.bounds[j])) shared += shared_area(a.pieces[i], b.pieces[j]);
+  for (const Polygon& of_a : a.pieces)
+    for (const Polygon& of_b : b.pieces) shared += shared_area(of_a, of_b);
   return shared;
 }
 

@@ -221,8 +221,9 @@ class Simulation {
   /// Writes maps, pictures, page and manifest of whatever was reached.
   RunResult conclude() {
     // A state that failed must not leave its mark on the maps.
+    attempt([&] { recorder_.settle(); });
     if (facts_.end != RunEnd::failed)
-      recorder_.finish(flow_.stepper().time(), flow_.backend().fluid());
+      attempt([&] { recorder_.finish(flow_.stepper().time(), flow_.backend().fluid()); });
     const FlowMaps& flow = recorder_.maps();
     const double spacing = flow_.model().spacing;
     const RunMaps maps{flow.depth(),

@@ -40,8 +40,9 @@ std::string table_csv(const StudyTable& table) {
     }
     const GridConvergence& result = row.convergence;
     fields.emplace_back(word_of(result.kind));
-    for (const double value : {result.order, result.extrapolated, result.uncertainty})
-      fields.push_back(result.has_limit() ? number(value) : "");
+    fields.push_back(result.has_limit() ? number(result.order) : "");
+    fields.push_back(row.shows_limit() ? number(result.extrapolated) : "");
+    fields.push_back(result.has_limit() ? number(result.uncertainty) : "");
     fields.push_back(number(result.lowest));
     fields.push_back(number(result.highest));
     text += csv_line(fields);
@@ -89,8 +90,9 @@ std::string study_toml(const std::vector<BatchRecord>& records, const StudyTable
                         toml_string(row.label), toml_string(std::string(word_of(result.kind))),
                         number(result.lowest), number(result.highest));
     if (result.has_limit())
-      text += fmt::format("order = {}\nextrapolated = {}\nuncertainty = {}\n", number(result.order),
-                          number(result.extrapolated), number(result.uncertainty));
+      text += fmt::format("order = {}\nuncertainty = {}\n", number(result.order),
+                          number(result.uncertainty));
+    if (row.shows_limit()) text += fmt::format("extrapolated = {}\n", number(result.extrapolated));
   }
   return text;
 }

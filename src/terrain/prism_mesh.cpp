@@ -147,6 +147,22 @@ bool append_floors(const Polygon& polygon, const PrismVertices& vertices, Triang
   return count > 0;
 }
 
+Bounds plan_bounds(const Polygon& outline) {
+  Bounds bounds{outline.rings[0][0], outline.rings[0][0]};
+  for (const Vec3d& v : outline.rings[0]) {
+    bounds.low = {std::min(bounds.low.x, v.x), std::min(bounds.low.y, v.y), 0};
+    bounds.high = {std::max(bounds.high.x, v.x), std::max(bounds.high.y, v.y), 0};
+  }
+  return bounds;
+}
+
+/// Whether the rectangles around two polygons meet, which is soon told.
+bool may_share(const Polygon& a, const Polygon& b) {
+  const Bounds first = plan_bounds(a), second = plan_bounds(b);
+  return first.low.x < second.high.x && second.low.x < first.high.x &&
+         first.low.y < second.high.y && second.low.y < first.high.y;
+}
+
 }  // namespace
 
 std::string fault_of(const Polygon& polygon) {
@@ -167,6 +183,7 @@ bool meets_itself(const Polyline& line) {
 }
 
 double shared_area(const Polygon& a, const Polygon& b) {
+  if (!may_share(a, b)) return 0;
   const Geos geos;
   const Geos::Geometry first = geos.polygon(a), second = geos.polygon(b);
   if (!first || !second) return 0;

@@ -61,19 +61,27 @@ void for_each_column(const ReleaseShape& shape, double spacing, Visit&& visit) {
   }
 }
 
-Particles at_rest(std::vector<Vec3d> positions, double volume, double density) {
+/// What each particle stands for is in any unit: `shares` of the volume.
+Particles at_rest(std::vector<Vec3d> positions, const std::vector<double>& shares, double volume,
+                  double density) {
   if (positions.empty()) {
     throw CaseError("numerics.spacing", "the release is too thin to hold a single particle",
                     "choose a smaller spacing");
   }
   Particles particles;
   particles.resize(positions.size());
-  const double mass = volume * density / static_cast<double>(positions.size());
-  std::fill(particles.mass.begin(), particles.mass.end(), mass);
+  const double per_share = volume * density / std::accumulate(shares.begin(), shares.end(), 0.0);
+  for (std::size_t k = 0; k < shares.size(); ++k) particles.mass[k] = per_share * shares[k];
   std::fill(particles.density.begin(), particles.density.end(), density);
   std::iota(particles.id.begin(), particles.id.end(), 0U);
   particles.position = std::move(positions);
   return particles;
+}
+
+/// Of particles that are all alike.
+Particles at_rest(std::vector<Vec3d> positions, double volume, double density) {
+  const std::vector<double> equal(positions.size(), 1.0);
+  return at_rest(std::move(positions), equal, volume, density);
 }
 
 /// Sites above the ground of the cubic lattice that lie in a cube around any of the points.
@@ -194,15 +202,25 @@ Particles released(const Surface& surface, const ReleaseShape& shape,
   const double spacing = settings.spacing;
   refuse_unless_fits(shape.volume / (spacing * spacing * spacing), most_particles);
   std::vector<Vec3d> positions;
+  std::vector<double> steps;
+  double owed = 0;  // by columns too thin for a particle, m
   for_each_column(shape, spacing, [&](double x, double y) {
-    const std::int64_t count = std::llround(shape.thickness(x, y) / spacing);
-    if (count <= 0) return;
+    double thickness = shape.thickness(x, y);
+    if (!(thickness > 0)) return;
+    std::int64_t count = std::llround(thickness / spacing);
+    if (count == 0) {
+      owed += thickness;
+      if (owed < spacing / 2) return;
+      thickness = std::exchange(owed, 0.0);
+      count = 1;
+    }
     refuse_unless_inside(surface, x, y, settings.frame);
     const double ground = surface.height(x, y);
-    for (std::int64_t k = 0; k < count; ++k)
-      positions.push_back({x, y, ground + (k + 0.5) * spacing});
+    const double step = thickness / static_cast<double>(count);
+    for (std::int64_t k = 0; k < count; ++k) positions.push_back({x, y, ground + (k + 0.5) * step});
+    steps.resize(positions.size(), step);
   });
-  return at_rest(std::move(positions), shape.volume, settings.density);
+  return at_rest(std::move(positions), steps, shape.volume, settings.density);
 }
 
 Particles released(const Surface& surface, const std::vector<Vec3d>& points, double point_volume,
@@ -235,6 +253,7 @@ Particles released_box(const Surface& surface, const Bounds& box, const std::vec
   const double dx = size.x / static_cast<double>(columns);
   const double dy = size.y / static_cast<double>(rows);
   std::vector<Vec3d> positions;
+  std::vector<double> steps;
   double volume = 0;
   for (std::int64_t i = 0; i < columns; ++i) {
     for (std::int64_t j = 0; j < rows; ++j) {
@@ -247,11 +266,12 @@ Particles released_box(const Surface& surface, const Bounds& box, const std::vec
         const Vec3d place{x, y, bottom + (k + 0.5) * step};
         if (!is_free(place)) continue;
         positions.push_back(place);
+        steps.push_back(step);
         volume += dx * dy * step;
       }
     }
   }
-  return at_rest(std::move(positions), volume, settings.density);
+  return at_rest(std::move(positions), steps, volume, settings.density);
 }
 
 }  // namespace sabo

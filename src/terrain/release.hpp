@@ -45,23 +45,26 @@ struct ReleaseSettings {
 };
 
 /// Fills a release with particles at rest: on each column of the horizontal lattice (centres at
-/// odd multiples of half a spacing) round(thickness / spacing) of them, the lowest half a spacing
-/// above the ground. All masses are equal and sum up to volume x density; ids count from 0. Throws
-/// CaseError where the release lies outside the DEM, when it has no particle, or too many.
+/// odd multiples of half a spacing) round(thickness / spacing) of them, which share it evenly. What
+/// is thinner than half a spacing goes, from column to column, into the next particle that has half
+/// a spacing of it. Masses go with the height that each stands for and sum up to volume x density;
+/// ids count from 0. Throws CaseError where the release lies outside the DEM, when it has no
+/// particle, or too many.
 Particles released(const Surface& surface, const ReleaseShape& shape,
                    const ReleaseSettings& settings);
 
 /// Particles for a list of points, each the centre of `point_volume` (m3). If the spacing is the
 /// side of that cube, to 1e-6 m, they are the particles; otherwise the sites above the ground of a
-/// cubic lattice that lie in any of the cubes are. Masses, ids and errors as above.
+/// cubic lattice that lie in any of the cubes are. All masses are equal and sum up to volume x
+/// density; ids and errors as above.
 Particles released(const Surface& surface, const std::vector<Vec3d>& points, double point_volume,
                    const ReleaseSettings& settings);
 
 /// Fills a box: columns in step with its sides, from its floor or the ground under it to its level
 /// top, the outermost half a step from the sides. Columns stand about a spacing apart so that they
 /// fit, and so do the particles of each. What would stand in a body, or nearer to it than a quarter
-/// of a spacing, is left out. All masses are equal and add up to the volume that is filled times
-/// the density; ids and errors as above.
+/// of a spacing, is left out. Masses go with the height of the steps and add up to the volume that
+/// is filled times the density; ids and errors as above.
 Particles released_box(const Surface& surface, const Bounds& box, const std::vector<Body>& bodies,
                        const ReleaseSettings& settings);
 

@@ -112,6 +112,8 @@ TEST_F(ReadDem, AppliesScaleAndOffset) {
 TEST_F(ReadDem, RefusesWhatIsNoMetricElevation) {
   EXPECT_THAT(fault({.crs = ""}).problem, HasSubstr("no coordinate system"));
   EXPECT_THAT(fault({.crs = "EPSG:4326"}).problem, HasSubstr("in degrees: EPSG:4326 (WGS 84)"));
+  EXPECT_THAT(fault({.crs = "EPSG:3857"}).problem,
+              HasSubstr("EPSG:3857 (WGS 84 / Pseudo-Mercator), which stretches lengths"));
   EXPECT_THAT(fault({.crs = "EPSG:2263"}).problem, HasSubstr("US survey foot, not metres"));
   EXPECT_THAT(fault({.unit = "ft"}).problem, HasSubstr("elevations in \"ft\""));
   EXPECT_THAT(fault({.bands = 3}).problem, HasSubstr("3 bands"));
@@ -125,6 +127,7 @@ TEST_F(ReadDem, NamesAnUndeclaredNodataValue) {
   const Fault wrong = fault({.values = {1, 2, -32768, 4, -32768, 6}});
   EXPECT_THAT(wrong.problem, HasSubstr("2 cells like -32768 m"));
   EXPECT_THAT(wrong.remedy, HasSubstr("-a_nodata -32768"));
+  EXPECT_THAT(fault({.values = {1, 2, -9999, 4, 5, 6}}).problem, HasSubstr("1 cells like -9999 m"));
 }
 
 TEST_F(ReadDem, RefusesFilesThatAreNoRasters) {

@@ -127,6 +127,13 @@ TEST(BodiesScene, TheReleaseLeavesThemOut) {
   EXPECT_NEAR(scene.release_volume, 1 - 0.125, 1e-9);
 }
 
+TEST(BodiesScene, RefusesOneInTheGround) {
+  PlaneWorld world;
+  world.make(pool + "[[body]]\nkind = \"box\"\nmin = [5, 1, -3]\nmax = [6, 1.5, -1]\n");
+  EXPECT_THAT(world.messages(), ElementsAre(HasSubstr("body[1]: \"")));
+  EXPECT_THAT(world.messages(), ElementsAre(HasSubstr("has no part above the ground")));
+}
+
 TEST(BodiesScene, AnOpenMeshNamesAnEdgeInTheCoordinatesOfTheFile) {
   PlaneWorld world;
   world.folder.write("open.obj", unit_cube.substr(0, unit_cube.find("f 4 1 5 8")));

@@ -12,6 +12,7 @@
 #include "run/input_files.hpp"
 #include "run/preview.hpp"
 #include "run/preview_picture.hpp"
+#include "solver/flow_model.hpp"
 
 // Cases on flat ground of 60 x 60 m at 100 m, cells of 1 m, without a coordinate system.
 
@@ -20,6 +21,7 @@ namespace {
 
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::UnorderedElementsAre;
 
 Raster flat() { return Raster(Grid{60, 60, 0, 60, 1, 1}, 100); }
 
@@ -102,7 +104,7 @@ TEST(Scene, ReleaseIsWhatLiesBetweenTwoSurfaces) {
       "release.least_thickness = 0.5\n");
   ASSERT_TRUE(flat_case.faults.empty()) << flat_case.messages().front();
   EXPECT_NEAR(scene.release_volume, 400, 1e-9);
-  EXPECT_EQ(scene.release_depth, 4);
+  EXPECT_DOUBLE_EQ(scene.release_depth, 4);
   ASSERT_TRUE(scene.lost);
   EXPECT_EQ(scene.lost->dug, 400);
   // The mass lies where it was: between 96 and 100 m.
@@ -129,12 +131,71 @@ TEST(Scene, ThicknessOfEachPolygonMayComeFromItsAttribute) {
       "release.polygon = \"release.geojson\"\nrelease.thickness_attribute = \"d0\"\n");
   ASSERT_TRUE(flat_case.faults.empty()) << flat_case.messages().front();
   EXPECT_NEAR(scene.release_volume, 500, 1e-9);
-  EXPECT_EQ(scene.release_depth, 3);
+  EXPECT_DOUBLE_EQ(scene.release_depth, 3);
 
   FlatCase& again = flat_case;
   again.make("release.polygon = \"release.geojson\"\nrelease.thickness_attribute = \"depth\"\n");
   EXPECT_THAT(again.messages(),
               ElementsAre(HasSubstr("has no attribute \"depth\"; use one of: \"d0\"")));
+}
+
+// 1.4 m at a spacing of 1 m: one particle, under the weight of 0.7 m.
+TEST(Scene, AReleaseBetweenTwoSpacingsHasItsOwnDepthAndPressure) {
+  FlatCase flat_case;
+  const std::string keys =
+      "release.polygon = [[20, 20], [30, 20], [30, 30], [20, 30]]\nrelease.thickness = 1.4\n";
+  const Scene scene = flat_case.make(keys);
+  ASSERT_TRUE(flat_case.faults.empty()) << flat_case.messages().front();
+  ASSERT_EQ(scene.release.size(), 100u);
+  EXPECT_NEAR(scene.release_depth, 1.4, 1e-12);
+  const Case c = flat_case.read(keys);
+  const Tait state = flow_model(c.material, c.numerics, scene.greatest_depth()).state;
+  const double pressure = state.rho0 * c.numerics.gravity * 0.7;
+  for (std::size_t k = 0; k < scene.release.size(); ++k) {
+    EXPECT_NEAR(scene.release.position[k].z, 100.7, 1e-9);
+    EXPECT_NEAR(state.pressure(scene.release.density[k]), pressure, 1e-6 * pressure);
+  }
+}
+
+TEST(Scene, AreasWithoutAClearInsideOrOverEachOtherAreFaults) {
+  FlatCase flat_case;
+  const std::string bow = "polygon = [[10, 10], [20, 20], [20, 10], [10, 16]]\n";
+  flat_case.make("release." + bow + "release.thickness = 2\n[[zone]]\n" + bow);
+  EXPECT_THAT(flat_case.messages(),
+              UnorderedElementsAre(HasSubstr("release.polygon: is no sound polygon: Self-inter"),
+                                   HasSubstr("zone[1].polygon: is no sound polygon: Self-inter")));
+  FlatCase twice;
+  twice.folder.write("release.geojson", R"({"type": "FeatureCollection",
+"crs": {"type": "name", "properties": {"name": "EPSG:32652"}}, "features": [
+{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon",
+ "coordinates": [[[10, 10], [20, 10], [20, 20], [10, 20], [10, 10]]]}},
+{"type": "Feature", "properties": {}, "geometry": {"type": "Polygon",
+ "coordinates": [[[18, 10], [30, 10], [30, 20], [18, 20], [18, 10]]]}}]})");
+  twice.make("release.polygon = \"release.geojson\"\nrelease.thickness = 2\n");
+  EXPECT_THAT(twice.messages(),
+              ElementsAre(HasSubstr("release.polygon: polygons 1 and 2 overlap by 20 m2")));
+}
+
+TEST(Scene, AThicknessThatIsATextIsReadWholeOrRefused) {
+  const auto release = [](const std::string& value) {
+    return R"({"type": "FeatureCollection",
+"crs": {"type": "name", "properties": {"name": "EPSG:32652"}}, "features": [
+{"type": "Feature", "properties": {"d": ")" +
+           value + R"("}, "geometry": {"type": "Polygon",
+ "coordinates": [[[10, 10], [20, 10], [20, 20], [10, 20], [10, 10]]]}}]})";
+  };
+  const std::string keys =
+      "release.polygon = \"release.geojson\"\nrelease.thickness_attribute = \"d\"\n";
+  FlatCase point;
+  point.folder.write("release.geojson", release("2.5"));
+  EXPECT_NEAR(point.make(keys).release_volume, 250, 1e-9);
+  for (const std::string wrong : {"2,5", "2.5 m", "deep"}) {
+    FlatCase other;
+    other.folder.write("release.geojson", release(wrong));
+    other.make(keys);
+    EXPECT_THAT(other.messages(),
+                ElementsAre(HasSubstr("whose \"d\" is \"" + wrong + "\", which is no number")));
+  }
 }
 
 TEST(Scene, PreviewShowsEditsAndZones) {

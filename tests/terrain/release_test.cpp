@@ -26,8 +26,10 @@ TEST(Release, StandsOnTheGroundInColumns) {
   const Surface surface = slope();
   const Particles fluid = released(surface, release_of({{square(4, 8), 1.6}}), {0.5, 1700, {}});
   ASSERT_EQ(fluid.size(), 8U * 8 * 3);
-  EXPECT_EQ(fluid.position[0], (Vec3d{4.25, 4.25, 0.75 * 4.25 + 0.25}));
-  EXPECT_EQ(fluid.position[2], (Vec3d{4.25, 4.25, 0.75 * 4.25 + 1.25}));
+  // Three share 1.6 m.
+  EXPECT_DOUBLE_EQ(fluid.position[0].z, 0.75 * 4.25 + 1.6 / 6);
+  EXPECT_DOUBLE_EQ(fluid.position[2].z, 0.75 * 4.25 + 5 * 1.6 / 6);
+  EXPECT_EQ(fluid.position[2].x, 4.25);
   for (std::size_t k = 0; k < fluid.size(); ++k) {
     EXPECT_EQ(fluid.id[k], k);
     EXPECT_EQ(fluid.mass[k], fluid.mass[0]);
@@ -65,6 +67,36 @@ TEST(Release, TakesThicknessFromARaster) {
   EXPECT_NEAR(volume_of(fluid, 1000), 12, 1e-10);
 }
 
+// 1.4 m are one particle of a spacing of 1 m, 2.6 m are three.
+TEST(Release, HasTheVolumeWhereItIs) {
+  Raster thickness({2, 1, 0, 10, 10, 10}, 1.4);
+  thickness.at(1, 0) = 2.6;
+  const Surface surface = slope();
+  const Particles fluid = released(surface, release_of(thickness), {1, 1000, {}});
+  ASSERT_EQ(fluid.size(), 100U + 300);
+  for (std::size_t k = 0; k < fluid.size(); ++k)
+    EXPECT_NEAR(fluid.mass[k], fluid.position[k].x < 10 ? 1400 : 2600. / 3, 1e-9);
+}
+
+// What is too thin for particles of its own: 0.2 m in 100 columns are 33 particles of 0.6 m, one in
+// three of them, and 0.2 m that all share.
+TEST(Release, GathersWhatIsThinWhereItLies) {
+  Raster thickness({2, 1, 0, 10, 10, 10}, 0.2);
+  thickness.at(1, 0) = 1;
+  const Surface surface = slope();
+  const Particles fluid = released(surface, release_of(thickness), {1, 1000, {}});
+  ASSERT_EQ(fluid.size(), 33U + 100);
+  double thin = 0;
+  for (std::size_t k = 0; k < fluid.size(); ++k)
+    if (fluid.position[k].x < 10) {
+      EXPECT_NEAR(fluid.mass[k], 600, 1.1);
+      EXPECT_NEAR(fluid.position[k].z - surface.height(fluid.position[k].x, 5), 0.3, 1e-9);
+      thin += fluid.mass[k] / 1000;
+    }
+  EXPECT_NEAR(thin, 20, 0.3);
+  EXPECT_NEAR(volume_of(fluid, 1000), 120, 1e-9);
+}
+
 TEST(Release, RefusesWhatIsOutsideTheDemAndNamesThePlace) {
   const Surface surface = slope();
   const Frame frame{600000, 4000000, ""};
@@ -80,7 +112,8 @@ TEST(Release, RefusesWhatIsOutsideTheDemAndNamesThePlace) {
 
 TEST(Release, RefusesTooThinAndTooLarge) {
   const Surface surface = slope();
-  const ReleaseShape shape = release_of({{square(4, 8), 0.4}});
+  // 0.48 m3, less than half a particle in all.
+  const ReleaseShape shape = release_of({{square(4, 8), 0.03}});
   try {
     released(surface, shape, {1, 1000, {}});
     FAIL();

@@ -1,3 +1,4 @@
+#include <utility>
 #include <vector>
 
 #include "backend/cuda/card_moment.hpp"
@@ -21,9 +22,10 @@ CardMoment::CardMoment() noexcept {
     idle.pop_back();
   } else if (cudaEventCreate(&event_) != cudaSuccess) {
     event_ = nullptr;
-    return;
   }
-  cudaEventRecord(event_);
+  if (event_ && cudaEventRecord(event_) == cudaSuccess) return;
+  if (event_) idle.push_back(std::exchange(event_, nullptr));
+  cudaGetLastError();  // what is wrong is for the next pass to find
 }
 
 CardMoment::~CardMoment() {

@@ -13,9 +13,10 @@ void check_cuda(cudaError_t outcome, const char* call);
 void* allocate_on_card(std::size_t bytes);
 void free_on_card(void* memory) noexcept;
 
-/// Memory of the host that stays in its place, so that the card copies to it by itself. Throws
-/// RunError where there is none left.
+/// Memory of the host that stays in its place, so that the card copies to it by itself; where the
+/// system does not grant that, memory as any other, to which copies are waited for.
 void* allocate_page_locked(std::size_t bytes);
+/// After the copies that are on their way there.
 void free_page_locked(void* memory) noexcept;
 
 }  // namespace sabo

@@ -1,4 +1,6 @@
 #include <cstdint>
+#include <cstdlib>
+#include <new>
 #include <string>
 
 #include "backend/cuda/check_cuda.hpp"
@@ -84,19 +86,17 @@ void free_on_card(void* memory) noexcept {
 }
 
 void* allocate_page_locked(std::size_t bytes) {
-  void* memory = nullptr;
-  const cudaError_t outcome = cudaMallocHost(&memory, bytes);
-  if (outcome != cudaErrorMemoryAllocation) check_cuda(outcome, "cudaMallocHost");
-  cudaGetLastError();
-  if (outcome == cudaSuccess) return memory;
-  throw RunError("there is no room for a copy of the particles beside the graphics card: " +
-                 std::to_string(bytes / 1000000) +
-                 " MB of memory that is not swapped are wanted; raise numerics.spacing, or use "
-                 "--backend cpu");
+  void* memory = std::malloc(bytes);
+  if (!memory) throw std::bad_alloc();
+  if (cudaHostRegister(memory, bytes, cudaHostRegisterDefault) != cudaSuccess) cudaGetLastError();
+  return memory;
 }
 
 void free_page_locked(void* memory) noexcept {
-  if (memory) cudaFreeHost(memory);
+  if (!memory) return;
+  cudaStreamSynchronize(nullptr);
+  if (cudaHostUnregister(memory) != cudaSuccess) cudaGetLastError();
+  std::free(memory);
 }
 
 std::string graphics_card_fault() {

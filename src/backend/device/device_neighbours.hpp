@@ -165,20 +165,20 @@ void DeviceBackend<Executor>::find_neighbours() {
   sorted_boundary_ = {};
   on_.release(sorted_fluid_.places);
   on_.copy(fluid_.position, list_position_);
-  has_list_ = true;
   list_bodies();
   on_.zero(density_rate_, all());
   on_.zero(acceleration_, fluid_.size());
   list_awake();
   list_driven();
   prepare_rows();
+  has_list_ = true;
 }
 
 template <class Executor>
 void DeviceBackend<Executor>::list_bodies() {
   list_kept(on_, boundary_.size(), BelongsToBody{boundary_.view()}, body_rows_);
   Array<BodyForce> listed;
-  on_.reserve(listed, body_rows_.size());
+  on_.zero(listed, body_rows_.size());
   on_.for_each(listed.size(), FindBodyParticle{boundary_.view(), body_rows_.data(), listed.data()});
   std::vector<BodyForce> particles;
   on_.download(listed, particles);

@@ -34,7 +34,7 @@ struct FindColumnWays {
 struct Longest {
   double square = 0;
   SABO_HD void join(const Longest& other) {
-    if (!(other.square <= square)) square = other.square;
+    if (square == square && !(other.square <= square)) square = other.square;
   }
 };
 

@@ -11,7 +11,9 @@
 namespace sabo {
 namespace {
 
-constexpr double highest_elevation = 12000;  // m; deeper or higher there is no ground
+// There is no ground deeper or higher. The deepest of any lake is at -1187 m (Baikal), and where
+// rasters have no data they often have -9999.
+constexpr double lowest_elevation = -5000, highest_elevation = 12000;  // m
 
 }  // namespace
 
@@ -37,7 +39,7 @@ void check_elevations(const std::string& key, const std::string& name, const Ras
   for (const double z : raster.values) {
     if (std::isnan(z)) continue;
     ++valid;
-    if (std::abs(z) <= highest_elevation) continue;
+    if (z >= lowest_elevation && z <= highest_elevation) continue;
     if (absurd++ == 0) example = z;
   }
   if (valid == 0) {

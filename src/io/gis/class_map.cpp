@@ -65,6 +65,7 @@ void commit(PartialFile& partial, const std::filesystem::path& file) {
   std::error_code error;
   const std::filesystem::path side = partial.path().string() + ".aux.xml";
   partial.commit();
+  if (!std::filesystem::exists(side, error)) return;  // GDAL was told to write none
   std::filesystem::rename(side, file.string() + ".aux.xml", error);
   if (error)
     throw RunError(fmt::format("cannot write {}.aux.xml: {}", file.string(), error.message()));

@@ -62,6 +62,11 @@ std::string name_of(const OGRSpatialReference& crs) {
   return authority && code ? fmt::format("{}:{} ({})", authority, code, title) : title;
 }
 
+bool is_web_mercator(const OGRSpatialReference& crs) {
+  const char* name = crs.GetName();
+  return name && std::string_view(name).find("Pseudo-Mercator") != std::string_view::npos;
+}
+
 bool same_place(const OGRSpatialReference& a, const OGRSpatialReference& b) {
   const char* const options[] = {"CRITERION=EQUIVALENT", "IGNORE_DATA_AXIS_TO_SRS_AXIS_MAPPING=YES",
                                  nullptr};

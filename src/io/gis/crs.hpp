@@ -29,6 +29,10 @@ std::string name_of(const OGRSpatialReference& crs);
 /// Whether a unit, in metres, is the metre.
 inline bool is_metre(double unit) { return std::abs(unit - 1) < 1e-9; }
 
+/// Whether its metres are longer than metres, by 1 over the cosine of the latitude: that of tiled
+/// maps on the web (EPSG:3857).
+bool is_web_mercator(const OGRSpatialReference& crs);
+
 /// Whether the two place a point alike; vertical parts are not compared.
 bool same_place(const OGRSpatialReference& a, const OGRSpatialReference& b);
 

@@ -41,6 +41,7 @@ void check_crs(const RasterFile& file, bool assume_metres) {
   const std::string name = name_of(crs);
   if (crs.IsGeographic()) file.refuse("is in degrees: " + name, remedy);
   if (!crs.IsProjected()) file.refuse("is not in a projected coordinate system: " + name, remedy);
+  if (is_web_mercator(crs)) file.refuse("is in " + name + ", which stretches lengths", remedy);
   const char* unit = nullptr;
   if (!is_metre(crs.GetLinearUnits(&unit))) {
     file.refuse(fmt::format("is in units of {}, not metres: {}", unit, name), remedy);

@@ -10,6 +10,7 @@
 #include <ogrsf_frmts.h>
 
 #include "base/error.hpp"
+#include "base/parsed_number.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
 
@@ -114,7 +115,15 @@ class VectorFile {
     if (!feature.IsFieldSetAndNotNull(index)) {
       refuse(fmt::format("has a feature without a value of \"{}\"", attribute_), "fill it in");
     }
-    return feature.GetFieldAsDouble(index);
+    if (feature.GetFieldDefnRef(index)->GetType() != OFTString)
+      return feature.GetFieldAsDouble(index);
+    const std::string text = feature.GetFieldAsString(index);
+    const auto number = parsed_number<double>(text);
+    if (!number)
+      refuse(
+          fmt::format("has a feature whose \"{}\" is \"{}\", which is no number", attribute_, text),
+          "give numbers with a decimal point and without a unit");
+    return *number;
   }
 
   // Takes collections apart and curves into straight pieces.

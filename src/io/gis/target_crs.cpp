@@ -32,6 +32,7 @@ OGRSpatialReference target_crs(const std::string& text) {
   const std::string name = name_of(crs);
   if (crs.IsGeographic()) refuse(name + " is in degrees");
   if (!crs.IsProjected()) refuse(name + " is not a projected coordinate system");
+  if (is_web_mercator(crs)) refuse(name + " stretches lengths");
   const char* unit = nullptr;
   if (!is_metre(crs.GetLinearUnits(&unit))) {
     refuse(fmt::format("{} is in units of {}, not metres", name, unit));
