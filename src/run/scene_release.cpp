@@ -24,17 +24,13 @@ namespace {
 
 /// Where two overlap, thickness and volume would each count another of them.
 void refuse_overlaps(const std::vector<ThickPolygon>& thick) {
-  constexpr double largest_overlap = 0.01;  // of the smaller one: rounding of outlines
-  for (std::size_t i = 0; i < thick.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const Polygon &a = thick[j].polygon, &b = thick[i].polygon;
-      const double shared = shared_area(a, b);
-      if (shared <= largest_overlap * std::min(area(a), area(b))) continue;
-      throw CaseError("release.polygon",
-                      fmt::format("polygons {} and {} overlap by {:.3g} m2", j + 1, i + 1, shared),
-                      "join them, or cut one out of the other");
-    }
-  }
+  std::vector<Polygon> polygons;
+  for (const ThickPolygon& one : thick) polygons.push_back(one.polygon);
+  for (const Overlap& overlap : overlaps(polygons))
+    throw CaseError("release.polygon",
+                    fmt::format("polygons {} and {} overlap by {:.3g} m2", overlap.first + 1,
+                                overlap.second + 1, overlap.area),
+                    "join them, or cut one out of the other");
 }
 
 /// Polygons with the thickness that an attribute of each says.
@@ -52,15 +48,17 @@ std::vector<ThickPolygon> read_thick_polygons(const ReleaseCase& release, const 
     move(frame, valued.polygon);
     thick.push_back({std::move(valued.polygon), valued.value});
   }
-  refuse_overlaps(thick);
   return thick;
 }
 
 ReleaseShape polygon_shape(const ReleaseCase& release, const Frame& frame) {
-  if (!release.thickness_attribute.empty()) return release_of(read_thick_polygons(release, frame));
   std::vector<ThickPolygon> thick;
-  for (Polygon& polygon : read_area(release.polygon, "release.polygon", frame))
-    thick.push_back({std::move(polygon), release.thickness.value_or(1)});
+  if (!release.thickness_attribute.empty()) {
+    thick = read_thick_polygons(release, frame);
+  } else {
+    for (Polygon& polygon : read_area(release.polygon, "release.polygon", frame))
+      thick.push_back({std::move(polygon), release.thickness.value_or(1)});
+  }
   refuse_overlaps(thick);
   return release_of(std::move(thick));
 }

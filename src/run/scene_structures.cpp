@@ -17,8 +17,7 @@
 namespace sabo {
 namespace {
 
-constexpr double largest_overlap = 0.01;  // of the smaller of two buildings: rounding of outlines
-constexpr double largest_joint = 0.5;     // of the smaller of two dams: walls may meet and cross
+constexpr double largest_joint = 0.5;  // of the smaller of two dams: walls may meet and cross
 constexpr double most_profile_pieces = 1e5;
 
 /// Of a dam whose height counts from the lowest ground along its line, m.
@@ -158,17 +157,13 @@ void add_buildings(const StructureCase& c, const std::string& key, Scene& scene)
 
 /// Buildings may share walls, but not ground.
 void check_overlaps(const std::vector<Building>& buildings, Faults& faults) {
-  for (std::size_t i = 0; i < buildings.size(); ++i) {
-    for (std::size_t j = 0; j < i; ++j) {
-      const Polygon &a = buildings[i].outline, &b = buildings[j].outline;
-      const double shared = shared_area(a, b);
-      if (shared <= largest_overlap * std::min(area(a), area(b))) continue;
-      faults.add("structure",
-                 fmt::format("\"{}\" and \"{}\" overlap by {:.3g} m2", buildings[j].name,
-                             buildings[i].name, shared),
-                 "join their polygons, or move one");
-    }
-  }
+  std::vector<Polygon> outlines;
+  for (const Building& building : buildings) outlines.push_back(building.outline);
+  for (const Overlap& overlap : overlaps(outlines))
+    faults.add("structure",
+               fmt::format("\"{}\" and \"{}\" overlap by {:.3g} m2", buildings[overlap.first].name,
+                           buildings[overlap.second].name, overlap.area),
+               "join their polygons, or move one");
 }
 
 /// A dam in plan: a rectangle for each piece of its line.

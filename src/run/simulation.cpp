@@ -220,8 +220,8 @@ class Simulation {
 
   /// Writes maps, pictures, page and manifest of whatever was reached.
   RunResult conclude() {
-    // A state that failed must not leave its mark on the maps.
     attempt([&] { recorder_.settle(); });
+    // A state that failed must not leave its mark on the maps.
     if (facts_.end != RunEnd::failed)
       attempt([&] { recorder_.finish(flow_.stepper().time(), flow_.backend().fluid()); });
     const FlowMaps& flow = recorder_.maps();

@@ -194,6 +194,19 @@ double shared_area(const Polygon& a, const Polygon& b) {
   return area;
 }
 
+std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons) {
+  constexpr double rounding = 0.01;  // of the smaller one
+  std::vector<Overlap> found;
+  for (std::size_t i = 0; i < polygons.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      const double shared = shared_area(polygons[i], polygons[j]);
+      if (shared > rounding * std::min(area(polygons[i]), area(polygons[j])))
+        found.push_back({j, i, shared});
+    }
+  }
+  return found;
+}
+
 Polygon corners_of(const Polygon& polygon) {
   Polygon plain;
   for (const std::vector<Vec3d>& ring : polygon.rings) plain.rings.push_back(corners_of(ring));

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <vector>
 
 #include "geometry/triangle_mesh.hpp"
 
@@ -17,6 +19,13 @@ bool meets_itself(const Polyline& line);
 
 /// Area that two sound polygons have in common, m2; 0 where they only touch.
 double shared_area(const Polygon& a, const Polygon& b);
+
+/// Two of some polygons that have more ground in common than outlines round by.
+struct Overlap {
+  std::size_t first = 0, second = 0;  ///< their indices, ascending
+  double area = 0;                    ///< m2
+};
+std::vector<Overlap> overlaps(const std::vector<Polygon>& polygons);
 
 /// Its corners: without the vertices at which a ring goes straight on.
 Polygon corners_of(const Polygon& polygon);

@@ -104,7 +104,7 @@ TEST(Scene, ReleaseIsWhatLiesBetweenTwoSurfaces) {
       "release.least_thickness = 0.5\n");
   ASSERT_TRUE(flat_case.faults.empty()) << flat_case.messages().front();
   EXPECT_NEAR(scene.release_volume, 400, 1e-9);
-  EXPECT_DOUBLE_EQ(scene.release_depth, 4);
+  EXPECT_EQ(scene.release_depth, 4);
   ASSERT_TRUE(scene.lost);
   EXPECT_EQ(scene.lost->dug, 400);
   // The mass lies where it was: between 96 and 100 m.
@@ -131,7 +131,7 @@ TEST(Scene, ThicknessOfEachPolygonMayComeFromItsAttribute) {
       "release.polygon = \"release.geojson\"\nrelease.thickness_attribute = \"d0\"\n");
   ASSERT_TRUE(flat_case.faults.empty()) << flat_case.messages().front();
   EXPECT_NEAR(scene.release_volume, 500, 1e-9);
-  EXPECT_DOUBLE_EQ(scene.release_depth, 3);
+  EXPECT_EQ(scene.release_depth, 3);
 
   FlatCase& again = flat_case;
   again.make("release.polygon = \"release.geojson\"\nrelease.thickness_attribute = \"depth\"\n");
