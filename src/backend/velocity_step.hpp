@@ -136,8 +136,9 @@ class VelocityStep {
     solver.reset(on, particles);
   }
 
-  /// `multiply(mass, drag)` sets solver.product to (mass + dt K + dt drag) solver.direction, and
-  /// solver.curvature; masses in kg, drags of the walls in kg/s. `tolerance` in m/s.
+  /// `multiply(mass, drag, progress)` sets solver.product to (mass + dt K + dt drag)
+  /// solver.direction, and solver.curvature; masses in kg, drags of the walls in kg/s. It need not
+  /// where there is a progress that has ended. `tolerance` in m/s.
   /// Driven particles keep their velocity; particles in neither list are at rest.
   template <class Multiply>
   ViscousSolve advance(const Executor& on, const FlowView& flow, RowList rows, RowList driven,
@@ -151,11 +152,14 @@ class VelocityStep {
                                dt};
     on.for_each(rows.count, GuessVelocity<T>{view, solver.diagonal.data()});
     on.for_each(driven.count, AtRow<GiveVelocity<T>>{driven.index, {view}});
-    multiply(none_.data(), drag_.data());
+    multiply(none_.data(), drag_.data(), nullptr);
     on.for_each(driven.count, AtRow<WithdrawVelocity<T>>{driven.index, {view}});
     on.for_each(rows.count, FindResidual<T>{view});
-    const ViscousSolve outcome = solver.solve(on, rows, mass_.data(), tolerance, most_iterations,
-                                              [&] { multiply(mass_.data(), drag_.data()); });
+    const auto multiply_all = [&](const SolveProgress<T>* progress) {
+      multiply(mass_.data(), drag_.data(), progress);
+    };
+    const ViscousSolve outcome =
+        solver.solve(on, rows, mass_.data(), tolerance, most_iterations, multiply_all);
     if (!outcome.converged) return outcome;
     // The coarse correction by the constant vector (Nicolaides 1987), after which the residuals add
     // up to zero. Viscosity within the flow then conserves momentum to rounding, whatever the

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <algorithm>
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -10,6 +8,7 @@
 #include "backend/host_executor.hpp"
 #include "backend/viscous_solve.hpp"
 #include "math/quad.hpp"
+#include "math/scalar.hpp"
 
 namespace sabo {
 
@@ -33,7 +32,7 @@ struct ResidualSums {
     size.join(other.size);
     residual.join(other.residual);
   }
-  double largest() const { return std::max({size.x, size.y, size.z}); }
+  SABO_HD double largest() const { return larger(size.x, larger(size.y, size.z)); }
 };
 
 /// Where the vectors of the solver are.
@@ -79,21 +78,62 @@ SABO_HD Vec3<T> ratios(const Dot& a, const Dot& b) {
   return {T(b.x > 0 ? a.x / b.x : 0), T(b.y > 0 ? a.y / b.y : 0), T(b.z > 0 ? a.z / b.z : 0)};
 }
 
+/// How far a solve has come. It stays where the vectors are: no iteration waits for the host.
+template <class T>
+struct SolveProgress {
+  Dot energy;        ///< of the residual
+  Dot residual_sum;  ///< over the rows, kg m/s
+  Vec3<T> keep;      ///< share of the last direction in the next one
+  double enough = 0;
+  int iterations = 0;
+  bool has_ended = false;
+  bool has_converged = false;
+
+  SABO_HD void take(const ResidualSums& sums, int most) {
+    energy = sums.energy;
+    residual_sum = sums.residual;
+    has_converged = !(sums.largest() > enough);
+    has_ended = has_converged || iterations == most;
+  }
+};
+
+/// What ends a solve.
+struct SolveLimits {
+  double size = 0;   ///< of the residual, see ResidualSums
+  double share = 0;  ///< of that of the first one
+  int most = 0;      ///< iterations
+};
+
+template <class T>
+struct BeginSolve {
+  SolveLimits limits;
+  const ResidualSums* sums;
+  SolveProgress<T>* progress;
+  SABO_HD void operator()(std::size_t) const {
+    SolveProgress<T> begun;
+    begun.enough = larger(limits.size, limits.share * sums->largest());
+    begun.take(*sums, limits.most);
+    *progress = begun;
+  }
+};
+
 /// How far to go along the direction.
 template <class T>
 struct FindLength {
-  Dot energy;
+  const SolveProgress<T>* progress;
   const Dot* curvature;
   Vec3<T>* length;
-  SABO_HD void operator()(std::size_t) const { *length = ratios<T>(energy, *curvature); }
+  SABO_HD void operator()(std::size_t) const { *length = ratios<T>(progress->energy, *curvature); }
 };
 
 /// As far as that.
 template <class T>
 struct AdvanceSolve {
   SolverView<T> on;
+  const SolveProgress<T>* progress;
   const Vec3<T>* how_far;
   SABO_HD void operator()(std::size_t k, ResidualSums& sums) const {
+    if (progress->has_ended) return;
     const Vec3<T> length = *how_far;
     const std::size_t i = on.rows[k];
     const Quad<T>& p = on.direction[i];
@@ -106,12 +146,28 @@ struct AdvanceSolve {
   }
 };
 
+/// Whether that is near enough.
+template <class T>
+struct JudgeSolve {
+  const ResidualSums* sums;
+  int most;
+  SolveProgress<T>* progress;
+  SABO_HD void operator()(std::size_t) const {
+    if (progress->has_ended) return;
+    progress->keep = ratios<T>(sums->energy, progress->energy);
+    ++progress->iterations;
+    progress->take(*sums, most);
+  }
+};
+
 /// Into the next direction, which keeps a share of the last.
 template <class T>
 struct TurnSolve {
   SolverView<T> on;
-  Vec3<T> keep;
+  const SolveProgress<T>* progress;
   SABO_HD void operator()(std::size_t k) const {
+    if (progress->has_ended) return;
+    const Vec3<T> keep = progress->keep;
     const std::size_t i = on.rows[k];
     const T inverse = T(1) / on.diagonal[i];
     const Quad<T>& r = on.residual[i];
@@ -136,13 +192,15 @@ class ViscousSolver {
   Vector product;
   typename Executor::template Array<Dot> curvature;  ///< one: direction . product
   typename Executor::template Array<T> diagonal;     ///< kg, in
-  Dot residual_sum;  ///< over the rows, of the solution, out; kg m/s
+  Dot residual_sum;         ///< over the rows, of the solution, out; kg m/s
+  bool runs_ahead = false;  ///< whether iterations start before it is known that they are wanted
 
   void reset(const Executor& on, std::size_t particles) {
     for (Vector* v : {&change, &residual, &direction, &product}) on.zero(*v, particles);
     on.zero(diagonal, particles);
     on.zero(curvature, 1);
     on.zero(length_, 1);
+    on.zero(progress_, 1);
   }
 
   std::size_t bytes() const {
@@ -155,40 +213,46 @@ class ViscousSolver {
   }
 
   /// Iterates until no component of the residual over the mass (kg) exceeds `tolerance` (m/s, root
-  /// mean square over `rows`), or what is left of the first one is rounding. `multiply` sets
-  /// `product` to the matrix times `direction`, and `curvature`. The residual alone is waited for.
+  /// mean square over `rows`), or what is left of the first one is rounding. `multiply(progress)`
+  /// sets `product` to the matrix times `direction`, and `curvature`; it need not once
+  /// progress->has_ended. One that runs ahead starts as many iterations as the last solve took and
+  /// only then waits to hear of them: those that are not wanted do nothing.
   template <class Multiply>
   ViscousSolve solve(const Executor& on, RowList rows, const T* mass, double tolerance, int most,
                      const Multiply& multiply) {
     const SolverView<T> vectors = view(rows, mass);
-    ViscousSolve outcome;
-    auto sums = on.template reduce<ResidualSums>(rows.count, StartSolve<T>{vectors});
-    const double enough = std::max(tolerance * tolerance * static_cast<double>(rows.count),
-                                   least_share * least_share * sums.largest());
-    residual_sum = sums.residual;
-    Dot former;  // energy of the residual before the last one
-    while (sums.largest() > enough) {
-      if (outcome.iterations == most) {
-        outcome.converged = false;
-        return outcome;
+    SolveProgress<T>* progress = progress_.data();
+    on.sum_into(rows.count, StartSolve<T>{vectors}, sums_);
+    const SolveLimits limits{tolerance * tolerance * static_cast<double>(rows.count),
+                             least_share * least_share, most};
+    on.for_each(1, BeginSolve<T>{limits, sums_.data(), progress});
+    SolveProgress<T> known;
+    for (int started = 0, ahead = runs_ahead ? iterations_ : 0;; ++started) {
+      if (started >= ahead) {
+        known = on.last(progress_);
+        if (known.has_ended) break;
+        ahead = started + (runs_ahead ? more_ahead : 1);
       }
-      if (outcome.iterations > 0)
-        on.for_each(rows.count, TurnSolve<T>{vectors, ratios<T>(sums.energy, former)});
-      multiply();
-      on.for_each(1, FindLength<T>{sums.energy, curvature.data(), length_.data()});
-      former = sums.energy;
-      sums = on.template reduce<ResidualSums>(rows.count, AdvanceSolve<T>{vectors, length_.data()});
-      residual_sum = sums.residual;
-      ++outcome.iterations;
+      if (started > 0) on.for_each(rows.count, TurnSolve<T>{vectors, progress});
+      multiply(progress);
+      on.for_each(1, FindLength<T>{progress, curvature.data(), length_.data()});
+      on.sum_into(rows.count, AdvanceSolve<T>{vectors, progress, length_.data()}, sums_);
+      on.for_each(1, JudgeSolve<T>{sums_.data(), most, progress});
     }
-    return outcome;
+    iterations_ = known.iterations;
+    residual_sum = known.residual_sum;
+    return {known.iterations, known.has_converged};
   }
 
  private:
   /// Of the first residual: what the precision of the products leaves.
   static constexpr double least_share = 100 * std::numeric_limits<T>::epsilon();
+  static constexpr int more_ahead = 2;  // where the last solve took fewer
 
-  typename Executor::template Array<Vec3<T>> length_;  // one
+  typename Executor::template Array<Vec3<T>> length_;             // one
+  typename Executor::template Array<ResidualSums> sums_;          // one
+  typename Executor::template Array<SolveProgress<T>> progress_;  // one
+  int iterations_ = 0;                                            // of the last solve
 };
 
 }  // namespace sabo

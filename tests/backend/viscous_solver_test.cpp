@@ -14,15 +14,22 @@ struct Problem {
   std::vector<double> mass{1, 1, 1, 1};
   std::vector<std::uint32_t> rows{0, 1, 2};
   HostExecutor on;
+  int products = 0, needless = 0;
 
   Problem() {
     solver.reset(on, 4);  // the fourth takes no part
+    pose();
+  }
+
+  void pose() {
     solver.residual = {{2, 3, 0}, {2, 1, 0}, {4, 1, 0}, {9, 9, 9}};
     solver.diagonal = {4, 3, 2, 1};
   }
 
   ViscousSolve solve(double tolerance, int most) {
-    return solver.solve(on, {rows.data(), 3}, mass.data(), tolerance, most, [this] {
+    const auto multiply = [this](const SolveProgress<double>* progress) {
+      ++(progress->has_ended ? needless : products);
+      if (progress->has_ended) return;
       Dot sum;
       for (int i = 0; i < 3; ++i) {
         Quad<double> q{};
@@ -35,7 +42,8 @@ struct Problem {
         sum.join({p.x * q.x, p.y * q.y, p.z * q.z});
       }
       solver.curvature[0] = sum;
-    });
+    };
+    return solver.solve(on, {rows.data(), 3}, mass.data(), tolerance, most, multiply);
   }
 };
 
@@ -75,6 +83,44 @@ TEST(ViscousSolver, DoesNothingWhereTheGuessIsGoodEnough) {
   Problem problem;
   EXPECT_EQ(problem.solve(2.84, 10).iterations, 0);
   EXPECT_GT(Problem().solve(2.82, 10).iterations, 0);
+}
+
+// One that runs ahead takes the same iterations to the same bits, whether the last solve took more
+// or fewer; what it starts in vain changes nothing.
+TEST(ViscousSolver, MayRunAhead) {
+  for (const double tolerance : {1e-12, 0.5, 2.84}) {
+    Problem waiting, ahead;
+    ahead.solver.runs_ahead = true;
+    for (const double former : {1e-12, 2.84}) {
+      ahead.pose();
+      ahead.solve(former, 10);
+      ahead.pose();
+      ahead.products = 0;
+      waiting.pose();
+      const ViscousSolve expected = waiting.solve(tolerance, 10),
+                         found = ahead.solve(tolerance, 10);
+      EXPECT_EQ(found.iterations, expected.iterations);
+      EXPECT_EQ(found.converged, expected.converged);
+      EXPECT_EQ(ahead.products, expected.iterations);
+      for (int i = 0; i < 4; ++i) {
+        EXPECT_EQ(ahead.solver.change[i].x, waiting.solver.change[i].x);
+        EXPECT_EQ(ahead.solver.change[i].y, waiting.solver.change[i].y);
+      }
+      EXPECT_EQ(ahead.solver.residual_sum.x, waiting.solver.residual_sum.x);
+    }
+    EXPECT_GT(ahead.needless, 0);
+    EXPECT_EQ(waiting.needless, 0);
+  }
+}
+
+TEST(ViscousSolver, ThatRunsAheadEndsWithItsLimit) {
+  Problem problem;
+  problem.solver.runs_ahead = true;
+  problem.solve(1e-12, 10);
+  problem.pose();
+  const ViscousSolve outcome = problem.solve(1e-12, 1);
+  EXPECT_FALSE(outcome.converged);
+  EXPECT_EQ(outcome.iterations, 1);
 }
 
 }  // namespace

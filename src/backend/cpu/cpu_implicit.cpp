@@ -94,7 +94,7 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
   const PassClock clock(pass_times_, "viscous solve");
   const std::size_t blocks = (awake_.size() + sweep_block - 1) / sweep_block;
   dots_.assign(blocks, {});
-  const auto multiply = [&](const float* mass, const float* drag) {
+  const auto multiply = [&](const float* mass, const float* drag, const SolveProgress<float>*) {
     auto& solver = velocity_step_.solver;
     pass_times_["viscous solve"].pairs += near_.size();
     parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {

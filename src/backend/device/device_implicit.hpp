@@ -71,16 +71,19 @@ template <class Executor>
 ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double tolerance,
                                                        int most_iterations) {
   const Clock clock(*this, "viscous solve");
-  const auto multiply = [&](const float* mass, const float* drag) {
-    pass_times_["viscous solve"].pairs += swept_.fluid;
-    auto& solver = velocity_step_.solver;
+  auto& solver = velocity_step_.solver;
+  solver.runs_ahead = true;
+  const auto multiply = [&](const float* mass, const float* drag,
+                            const SolveProgress<float>* progress) {
     const ViscousProduct product{
-        pair_sums(), flow_records_.data(), awake_.data(), solver.direction.data(), mass, drag,
-        float(dt),   solver.product.data()};
+        pair_sums(), flow_records_.data(),  awake_.data(), solver.direction.data(), mass, drag,
+        float(dt),   solver.product.data(), progress};
     on_.sweep_and_sum(awake_.size(), product, solver.curvature);
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), awake(), driven(), dt, tolerance,
                                                       most_iterations, multiply);
+  pass_times_["viscous solve"].pairs +=
+      (1 + static_cast<std::uint64_t>(outcome.iterations)) * swept_.fluid;
   if (outcome.converged)
     on_.for_each(1, EnterHeat<ViscousHeat>{velocity_step_.heat.data(), dt, account_.data()});
   fluid_changed();

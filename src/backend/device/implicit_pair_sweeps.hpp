@@ -181,17 +181,21 @@ struct ViscousProduct {
   const float* drag;
   float dt;
   Quad<float>* q;
+  const SolveProgress<float>* progress;  // may be none
 
   struct Sums {
     Vec3f flow;
     SABO_HD void join(const Sums& other) { flow += other.flow; }
   };
 
+  SABO_HD bool is_needless() const { return progress != nullptr && progress->has_ended; }
+
   SABO_HD Sums sums_of(std::size_t place, RowShare share) const {
+    Sums sums;
+    if (is_needless()) return sums;
     const std::size_t i = rows[place];
     const FlowRecord me = records[i];
     const Quad<float> mine = p[i];
-    Sums sums;
     for (std::uint32_t k = share.first; k < pairs.rows.fluid[i]; k += share.stride) {
       const std::uint32_t index = pairs.rows.at(i, k);
       const FlowRecord j = records[index];
@@ -202,6 +206,7 @@ struct ViscousProduct {
     return sums;
   }
   SABO_HD void finish(std::size_t place, const Sums& sums, Dot& sum) const {
+    if (is_needless()) return;
     const std::size_t i = rows[place];
     const Quad<float> mine = p[i];
     const Vec3f flow = Vec3f{drag[i] * mine.x, drag[i] * mine.y, drag[i] * mine.z} + sums.flow;

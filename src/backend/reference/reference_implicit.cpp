@@ -60,7 +60,8 @@ void ReferenceBackend::near_forces() {
 
 ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
   const double rho0 = model_.state.rho0, two_point_scale = model_.two_point_scale();
-  const auto multiply = [&](const double* masses, const double* drag) {
+  const auto multiply = [&](const double* masses, const double* drag,
+                            const SolveProgress<double>*) {
     auto& solver = velocity_step_.solver;
     Dot sum;
     for (const std::uint32_t i : awake_) {
