@@ -28,7 +28,7 @@ struct MaterialCase {
           "values, and another rheology keeps its viscosity"},
       preset);
     if constexpr (SetsMembers<V>) take_preset();
-    v(Key{"density", "kg/m3", "bulk density of the mixture"}.at_least(1).at_most(3e4), density);
+    v(Key{"density", "kg/m3", "bulk density of the mixture"}.at_least(100).at_most(3e4), density);
     v(Key{"concentration", "%",
           "of solids by volume: sets viscosity = 0.621 exp(0.173 concentration); the unit of the "
           "formula is in doubt, see docs/rheology/README.md"}

@@ -199,6 +199,8 @@ TEST_F(BadInput, CaseFiles) {
       {"a friction angle of a wall", "sed -i '/^density/a friction_angle = 90' case.toml",
        "friction_angle"},
       {"a density of nothing", "sed -i 's/^density.*/density = 0/' case.toml", "density"},
+      {"a density in tonnes", "sed -i 's/^density.*/density = 1.8/' case.toml",
+       "density.*from 100 to 30000 kg/m3"},
       {"too much pore water", "sed -i '/^density/a pore_pressure_ratio = 1.5' case.toml",
        "pore_pressure_ratio"},
       {"no such case", ":", "nowhere", "sabo check nowhere"},

@@ -251,6 +251,10 @@ TEST(Rules, NotchLiesInTheDam) {
                           "case.toml:15 structure[1].notch.centre: lies beyond the end of the "
                           "line; give a distance along the line, at most 50 m"));
   EXPECT_THAT(dam("line = [[0, 0], [30, 40]]\nheight = 8\n"
+                  "notch = {centre = 25, width = 60, depth = 1.5}\n"),
+              ElementsAre("case.toml:15 structure[1].notch.width: the notch is wider than the dam "
+                          "is long; give at most 50 m"));
+  EXPECT_THAT(dam("line = [[0, 0], [30, 40]]\nheight = 8\n"
                   "notch = {centre = 25, width = 4, depth = 1.5}\n"),
               IsEmpty());
 }

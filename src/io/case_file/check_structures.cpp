@@ -106,6 +106,10 @@ void check_notch(const StructureCase& dam, const std::string& path, Faults& faul
     faults.add(path + ".notch.centre", "lies beyond the end of the line",
                fmt::format("give a distance along the line, at most {} m", short_text(length)));
   }
+  if (length > 0 && dam.notch->width > length) {
+    faults.add(path + ".notch.width", "the notch is wider than the dam is long",
+               fmt::format("give at most {} m", short_text(length)));
+  }
 }
 
 void check_grid(const GridCase& grid, const StructureCase& dam, const std::string& path,
