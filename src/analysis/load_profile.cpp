@@ -5,6 +5,35 @@
 #include <limits>
 
 namespace sabo {
+namespace {
+
+/// Where the places of a bin are along a unit vector, sorted.
+std::vector<double> stations(const std::vector<std::vector<Vec3d>>& places, std::size_t bin,
+                             const Vec3d& along) {
+  std::vector<double> at;
+  if (bin >= places.size()) return at;
+  for (const Vec3d& place : places[bin]) at.push_back(dot(place, along));
+  std::ranges::sort(at);
+  return at;
+}
+
+/// From a number to the nearest of some that are sorted; infinite if there are none.
+double distance_to(const std::vector<double>& sorted, double number) {
+  const auto above = std::ranges::lower_bound(sorted, number);
+  double nearest = std::numeric_limits<double>::infinity();
+  if (above != sorted.end()) nearest = *above - number;
+  if (above != sorted.begin()) nearest = std::min(nearest, number - *(above - 1));
+  return nearest;
+}
+
+}  // namespace
+
+/// The outermost particle of the flow is a spacing away from the nearest one of the structure, and
+/// is felt as far beside that as the kernel reaches.
+LoadProfile::LoadProfile(double base, double spacing, double radius)
+    : base_(base),
+      spacing_(spacing),
+      overhang_(std::sqrt(std::max(radius * radius - spacing * spacing, 0.0))) {}
 
 double LoadProfile::Bin::pressure() const {
   return width > 0 ? std::hypot(force.x, force.y) / (width * (top - bottom)) : 0;
@@ -20,22 +49,28 @@ void LoadProfile::add(const Vec3d& place, const Vec3d& impulse) {
   impulse_[bin] += impulse;
 }
 
-void LoadProfile::touch(const Vec3d& place) {
+void LoadProfile::see(const Vec3d& place, bool feels_flow) {
   const std::size_t bin = bin_at(place.z);
-  if (bin >= touched_.size()) touched_.resize(bin + 1);
-  touched_[bin].push_back(place);
+  std::vector<std::vector<Vec3d>>& places = feels_flow ? felt_ : free_;
+  if (bin >= places.size()) places.resize(bin + 1);
+  places[bin].push_back(place);
 }
 
-double LoadProfile::covered(const std::vector<Vec3d>& places, const Vec3d& along) const {
-  std::vector<double> at;
-  for (const Vec3d& place : places) at.push_back(dot(place, along));
-  std::ranges::sort(at);
+/// Length that the flow covers in a bin along a horizontal unit vector, m: of the places that feel
+/// it, each as long as a spacing, without those that only the kernel reaches, which are as near to
+/// free ones as that. At an end of the structure there is nothing to be free.
+double LoadProfile::covered(std::size_t bin, const Vec3d& along) const {
+  const std::vector<double> felt = stations(felt_, bin, along);
+  std::vector<double> free = stations(free_, bin, along);
+  // What lies behind a place that feels the flow, deeper in the structure, does not count.
+  std::erase_if(free, [&](double at) { return distance_to(felt, at) < spacing_ / 2; });
   double length = 0, end = -std::numeric_limits<double>::infinity();
-  for (const double middle : at) {
+  for (const double middle : felt) {
+    if (distance_to(free, middle) < overhang_) continue;
     length += middle + spacing_ / 2 - std::max(end, middle - spacing_ / 2);
     end = middle + spacing_ / 2;
   }
-  return length;
+  return felt.empty() ? 0 : std::max(length, spacing_);
 }
 
 std::vector<LoadProfile::Bin> LoadProfile::take(double interval) {
@@ -48,10 +83,11 @@ std::vector<LoadProfile::Bin> LoadProfile::take(double interval) {
     bins[k].bottom = base_ + static_cast<double>(k) * spacing_;
     bins[k].top = bins[k].bottom + spacing_;
     if (interval > 0) bins[k].force = (1 / interval) * impulse_[k];
-    if (k < touched_.size() && size > 0) bins[k].width = covered(touched_[k], across);
+    if (size > 0) bins[k].width = covered(k, across);
   }
   impulse_.clear();
-  touched_.clear();
+  felt_.clear();
+  free_.clear();
   return bins;
 }
 

@@ -15,21 +15,21 @@ class LoadProfile {
     double bottom = 0;  ///< elevation, m
     double top = 0;     ///< elevation, m
     Vec3d force;        ///< mean since the last take(), N
-    double width = 0;   ///< of what is touched, across the force, m; 0 where nothing is
+    double width = 0;   ///< that the flow covers, across the force, m; 0 where it is not felt
 
     /// Mean horizontal pressure, Pa.
     double pressure() const;
   };
 
-  /// `base` is the elevation of the lowest bin's bottom; m.
-  LoadProfile(double base, double spacing) : base_(base), spacing_(spacing) {}
+  /// `base` is the elevation of the lowest bin's bottom, `radius` that of the kernel; m.
+  LoadProfile(double base, double spacing, double radius);
 
   /// What acts at one place of the structure, N s. What lies below the base is given to the lowest
   /// bin.
   void add(const Vec3d& place, const Vec3d& impulse);
 
-  /// A place of the structure that is touched at the moment of take().
-  void touch(const Vec3d& place);
+  /// A place of the structure at the moment of take(), and whether it feels the flow.
+  void see(const Vec3d& place, bool feels_flow);
 
   /// The bins with their means over `interval` (s), from the lowest to the highest that was
   /// touched; starts anew.
@@ -37,17 +37,17 @@ class LoadProfile {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(impulse_, touched_);
+    a(impulse_, felt_, free_);
   }
 
  private:
   std::size_t bin_at(double elevation) const;
-  /// Length covered by places, each as long as a spacing, along a horizontal unit vector, m.
-  double covered(const std::vector<Vec3d>& places, const Vec3d& along) const;
+  double covered(std::size_t bin, const Vec3d& along) const;
 
   double base_, spacing_;
-  std::vector<Vec3d> impulse_;               // by bin
-  std::vector<std::vector<Vec3d>> touched_;  // by bin
+  double overhang_;                              // m, by which the kernel reaches beside the flow
+  std::vector<Vec3d> impulse_;                   // by bin
+  std::vector<std::vector<Vec3d>> felt_, free_;  // by bin: places that feel the flow, and others
 };
 
 }  // namespace sabo

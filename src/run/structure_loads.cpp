@@ -107,9 +107,12 @@ StructureLoads::StructureLoads(const LoadCase& settings, const Scene& scene, con
                     {"structure", "time [s]", "bottom [m]", "top [m]", "force x [N]", "force y [N]",
                      "width [m]", "pressure [Pa]"}) {
   const auto add = [&](const std::string& name, const Vec3d& base, Approach approach) {
-    Structure structure{
-        base, std::move(approach), LoadPeak(settings.filter), LoadProfile(base.z, spacing_), {},
-        {}};
+    Structure structure{base,
+                        std::move(approach),
+                        LoadPeak(settings.filter),
+                        LoadProfile(base.z, spacing_, model.kernel_radius()),
+                        {},
+                        {}};
     structure.summary.name = name;
     structures_.push_back(std::move(structure));
   };
@@ -135,7 +138,7 @@ std::vector<LoadRow> StructureLoads::write_row(double time, const Stepper& stepp
                                                Backend& backend, const Columns& columns) {
   std::vector<LoadRow> list;
   for (const BodyForce& at : backend.body_forces())
-    if (at.force != Vec3d{}) structures_[at.body - 1].profile.touch(at.position);
+    structures_[at.body - 1].profile.see(at.position, at.force != Vec3d{});
   const std::vector<BodyLoad>& impulses = stepper.body_impulses();
   std::vector<double> row{time};
   for (std::size_t k = 0; k < structures_.size(); ++k)

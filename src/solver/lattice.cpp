@@ -71,6 +71,15 @@ void Tank::add_to(Particles& boundary, const FlowModel& model) const {
   add_box(boundary, model, {{low.x, high.y, low.z}, {high.x, north, high.z}});
 }
 
+void mark_foundation(Particles& boundary, const Box& box, std::uint16_t body) {
+  for (std::size_t b = 0; b < boundary.size(); ++b) {
+    const Vec3d& x = boundary.position[b];
+    if (boundary.body[b] == 0 && x.z < box.low.z && x.x > box.low.x && x.x < box.high.x &&
+        x.y > box.low.y && x.y < box.high.y)
+      boundary.body[b] = body;
+  }
+}
+
 void make_hydrostatic(Backend& backend, double surface) {
   const Tait state = backend.model().state;
   const double g = -backend.model().gravity.z;

@@ -43,6 +43,10 @@ struct Tank {
   void add_to(Particles& boundary, const FlowModel& model) const;
 };
 
+/// Gives those particles of walls and floors that lie under a box the number of its body: what acts
+/// there is its load, see Ground.
+void mark_foundation(Particles& boundary, const Box& box, std::uint16_t body);
+
 /// Gives the fluid the density of one at rest whose level surface is at the height `surface` (m):
 /// under the gravity across it, on an incline its part across the bed.
 void make_hydrostatic(Backend& backend, double surface);

@@ -14,7 +14,8 @@
 namespace sabo {
 namespace {
 
-constexpr int tile_columns = 8;  // per side
+constexpr int tile_columns = 8;      // per side
+constexpr double foot_height = 0.1;  // above the ground, spacings
 
 /// Both tile numbers in one key; keys sort by column of tiles, then row.
 std::int64_t key_of(std::int32_t i, std::int32_t j) {
@@ -78,6 +79,17 @@ class TileKeys {
   std::vector<std::int64_t> keys_;
 };
 
+/// The bounds of a dam in plan.
+Bounds bounds_of(const CheckDam& dam) {
+  Bounds bounds{dam.axis.vertices.front(), dam.axis.vertices.front()};
+  for (const Vec3d& v : dam.axis.vertices) {
+    bounds.low = {std::min(bounds.low.x, v.x), std::min(bounds.low.y, v.y), 0};
+    bounds.high = {std::max(bounds.high.x, v.x), std::max(bounds.high.y, v.y), 0};
+  }
+  const Vec3d half{dam.thickness / 2, dam.thickness / 2, 0};
+  return {bounds.low - half, bounds.high + half};
+}
+
 }  // namespace
 
 Ground::Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundSettings& settings,
@@ -88,6 +100,8 @@ Ground::Ground(const Surface& surface, std::vector<CheckDam> dams, const GroundS
       settings_(settings),
       columns_(surface, settings),
       tile_size_(tile_columns * settings.spacing) {
+  for (const CheckDam& dam : dams_) bounds_.push_back(bounds_of(dam));
+  for (const Body& body : bodies_) bounds_.push_back(body.bounds());
   place_dams();
   for (std::size_t k = 0; k < bodies_.size(); ++k) place_body(k);
 }
@@ -195,16 +209,42 @@ std::vector<IdRun> Ground::drop_tiles_except(const std::vector<std::int64_t>& wa
 void Ground::make_tile(std::int64_t key, std::vector<GroundPoint>& into) const {
   const std::int64_t i_first = static_cast<std::int64_t>(column_of(key)) * tile_columns;
   const std::int64_t j_first = static_cast<std::int64_t>(row_of(key)) * tile_columns;
+  const std::size_t before = into.size();
   for (std::int64_t i = i_first; i < i_first + tile_columns; ++i) {
     for (std::int64_t j = j_first; j < j_first + tile_columns; ++j) {
       columns_.make(i, j, true, into);
     }
   }
+  mark_foundations(column_of(key) * tile_size_, row_of(key) * tile_size_,
+                   std::span(into).subspan(before));
   const auto dam = dam_columns_.find(key);
   if (dam != dam_columns_.end())
     for (const DamColumn& column : dam->second) fill_column(column, settings_, into);
   const auto body = body_points_.find(key);
   if (body != body_points_.end()) into.insert(into.end(), body->second.begin(), body->second.end());
+}
+
+/// Gives the ground of a tile under structures their number.
+void Ground::mark_foundations(double west, double south, std::span<GroundPoint> ground) const {
+  const auto overlaps = [](const Bounds& a, double w, double s, double e, double n) {
+    return a.low.x <= e && w <= a.high.x && a.low.y <= n && s <= a.high.y;
+  };
+  for (std::size_t k = 0; k < bounds_.size(); ++k) {
+    if (!overlaps(bounds_[k], west, south, west + tile_size_, south + tile_size_)) continue;
+    for (GroundPoint& point : ground) {
+      const Vec3d& x = point.position;
+      if (point.body != 0 || !overlaps(bounds_[k], x.x, x.y, x.x, x.y)) continue;
+      if (!surface_.inside(x.x, x.y)) continue;
+      const Vec3d foot{x.x, x.y, surface_.height(x.x, x.y) + foot_height * settings_.spacing};
+      if (stands_on(k, foot)) point.body = static_cast<std::uint16_t>(k + 1);
+    }
+  }
+}
+
+/// Whether a dam or, after the dams, a body holds a place just above the ground.
+bool Ground::stands_on(std::size_t structure, const Vec3d& foot) const {
+  return structure < dams_.size() ? dams_[structure].contains(foot)
+                                  : bodies_[structure - dams_.size()].contains(foot);
 }
 
 /// Adds particles at rest, numbered from the running counter.

@@ -18,7 +18,13 @@ namespace sabo {
 /// Boundary particles of the terrain, its dams and bodies, made only near the flow: the map is cut
 /// into square tiles of 8 x 8 lattice columns. See GroundColumns, dam_columns and body_points for
 /// their places. What stands in the ground, in a dam or in an earlier body has none there. Those of
-/// dams and bodies carry their number, from 1, dams first.
+/// dams and bodies carry their number, from 1, dams first; so does the ground under one that stands
+/// on it.
+///
+/// Why the ground: the flow before a wall reaches past its foot, with the kernel, into the ground
+/// under it, and what acts there is the wall's. A wall that went on downwards shows it: still water
+/// of depth H, the same all along, can push along nothing but what lies behind the face, and pushes
+/// on all of that with rho g H²/2.
 class Ground {
  public:
   /// Throws CaseError when a dam or body has no part above the ground. The surface must outlive the
@@ -61,6 +67,8 @@ class Ground {
   void make_tile(std::int64_t key, std::vector<GroundPoint>& into) const;
   void append(const std::vector<GroundPoint>& points, Particles& into);
 
+  void mark_foundations(double west, double south, std::span<GroundPoint> ground) const;
+  bool stands_on(std::size_t structure, const Vec3d& foot) const;
   void place_dams();
   void place_body(std::size_t index);
   std::int64_t tile_at(double x, double y) const;
@@ -74,6 +82,7 @@ class Ground {
   const Surface& surface_;
   std::vector<CheckDam> dams_;
   std::vector<Body> bodies_;
+  std::vector<Bounds> bounds_;  // in plan, dams first
   GroundSettings settings_;
   GroundColumns columns_;
   double tile_size_;

@@ -39,15 +39,16 @@ TEST(LoadPeak, CountsNothingBeforeTheStart) {
 }
 
 TEST(LoadProfile, SharesTheForceOutByHeight) {
-  LoadProfile profile(10, 0.5);
+  LoadProfile profile(10, 0.5, 1.2);
   // Two seconds: 6 N in the lowest bin, 2 N in the third; places 0.5 m apart across the force.
   for (const double y : {0.25, 0.75, 1.25}) {
     profile.add({0, y, 10.2}, {4, 0, 1});
-    profile.touch({0, y, 10.2});
+    profile.see({0, y, 10.2}, true);
   }
   profile.add({0, 3, 11.1}, {4, 0, 0});
-  profile.touch({0, 3, 11.1});
-  profile.touch({0.1, 3, 11.2});  // behind the other one: no wider
+  profile.see({0, 3, 11.1}, true);
+  profile.see({0.1, 3, 11.2}, true);   // behind the other one: no wider
+  profile.see({0.5, 3, 11.1}, false);  // deeper: out of reach, no less wide
   const auto bins = profile.take(2);
   ASSERT_EQ(bins.size(), 3u);
   EXPECT_EQ(bins[0].bottom, 10);
@@ -60,6 +61,24 @@ TEST(LoadProfile, SharesTheForceOutByHeight) {
   EXPECT_NEAR(bins[2].force.x, 2, 1e-12);
   EXPECT_NEAR(bins[2].width, 0.5, 1e-12);
   EXPECT_TRUE(profile.take(1).empty()) << "starts anew";
+}
+
+// A wall 10 m long and two rows deep. A kernel of 2.4 spacings reaches 2.18 beside a flow that is a
+// spacing away: two places to either side.
+TEST(LoadProfile, IsAsWideAsTheFlowNotAsTheKernelReaches) {
+  const auto width_with = [](double from, double to) {
+    LoadProfile profile(0, 1, 2.4);
+    profile.add({0, 5.5, 0.5}, {1, 0, 0});
+    for (double y = 0.5; y < 10; ++y) {
+      profile.see({0.5, y, 0.5}, y > from && y < to);
+      profile.see({1.5, y, 0.5}, false);
+    }
+    return profile.take(1).at(0).width;
+  };
+  EXPECT_NEAR(width_with(1, 9), 4, 1e-12);
+  EXPECT_NEAR(width_with(1, 10), 7, 1e-12) << "to the end of the wall";
+  EXPECT_NEAR(width_with(0, 10), 10, 1e-12);
+  EXPECT_NEAR(width_with(4, 7), 1, 1e-12) << "a splash: a spacing at least";
 }
 
 TEST(Approach, TakesTheGreatestOfTheWetCellsBefore) {

@@ -58,5 +58,24 @@ TEST(Tank, HasWallsOfTheKernelOnFiveSides) {
   EXPECT_EQ(sheet.size(), 12u + 2 * 4);
 }
 
+// A column of 0.2 x 0.3 m on a floor three layers thick: 2 x 3 x 3 particles of it.
+TEST(Foundation, IsTheFloorUnderABox) {
+  const FlowModel model = test::plain_model(0.1, 30, 1);
+  Particles walls;
+  Tank{{{0, 0, 0}, {1, 0.5, 0.4}}}.add_to(walls, model);
+  const Box column{{0.4, 0.1, 0}, {0.6, 0.4, 0.4}};
+  add_box(walls, model, column, 2);
+  mark_foundation(walls, column, 2);
+  std::size_t count = 0;
+  for (std::size_t b = 0; b < walls.size(); ++b) {
+    if (walls.position[b].z > 0) continue;
+    const bool is_under = walls.position[b].x > 0.4 && walls.position[b].x < 0.6 &&
+                          walls.position[b].y > 0.1 && walls.position[b].y < 0.4;
+    EXPECT_EQ(walls.body[b], is_under ? 2 : 0);
+    count += is_under ? 1 : 0;
+  }
+  EXPECT_EQ(count, 2u * 3 * 3);
+}
+
 }  // namespace
 }  // namespace sabo

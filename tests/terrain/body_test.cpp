@@ -235,16 +235,37 @@ TEST(GroundWithBody, HasItsParticlesAboveTheGroundOnceAndNumbered) {
   const Body on_it = box_body({{0.5, 0, 0}, {1.5, 1, 0.5}, {}, 0});
   Ground ground(surface, {dam}, {dp, 3, density}, {sunk, on_it});
   const Particles boundary = all_of(ground);
-  std::map<int, double> volume;
+  std::map<int, double> volume, foundation;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     const bool is_above = boundary.position[k].z > 0;
-    EXPECT_EQ(is_above, boundary.body[k] > 0);
-    volume[boundary.body[k]] += boundary.mass[k] / density;
+    EXPECT_TRUE(!is_above || boundary.body[k] > 0);
+    (is_above ? volume : foundation)[boundary.body[k]] += boundary.mass[k] / density;
   }
   EXPECT_NEAR(volume[1], 2 * 0.4 * 0.5, 1e-9);
   // The core deeper than three spacings is empty: 4 x 4 of the upper two rows.
   EXPECT_NEAR(volume[2], 0.5 - 4 * 4 * 2 * 0.001, 1e-9);
   EXPECT_NEAR(volume[3], 0.25, 1e-9);  // the half that is not in the first
+  // The ground under them, three layers of 0.1 m, is of the first that stands there.
+  EXPECT_NEAR(foundation[1], 2 * 0.4 * 0.3, 1e-9);
+  EXPECT_NEAR(foundation[2], 0.3, 1e-9);
+  EXPECT_NEAR(foundation[3], 0.15, 1e-9);
+}
+
+TEST(GroundWithBody, LeavesTheGroundUnderAnOpeningToTheGround) {
+  const Surface surface = flat_yard();
+  CheckDam dam;
+  dam.axis = {{{0, -2, 0}, {0, 2, 0}}, false};
+  dam.crest = 1;
+  dam.thickness = 0.4;
+  dam.openings = {{1.5, 2.5}};                                       // a slit from the ground up
+  const Body lintel = box_body({{1, -1, 0.2}, {2, 1, 0.5}, {}, 0});  // touches it nowhere
+  Ground ground(surface, {dam}, {dp, 3, density}, {lintel});
+  const Particles boundary = all_of(ground);
+  double foundation = 0;
+  for (std::size_t k = 0; k < boundary.size(); ++k)
+    if (boundary.position[k].z < 0 && boundary.body[k] > 0)
+      foundation += boundary.mass[k] / density;
+  EXPECT_NEAR(foundation, 3 * 0.4 * 0.3, 1e-9);
 }
 
 TEST(GroundWithBody, MakesItNearTheFlowOnly) {
