@@ -51,22 +51,22 @@ void LoadProfile::add(const Vec3d& place, const Vec3d& impulse) {
 
 void LoadProfile::see(const Vec3d& place, bool feels_flow) {
   const std::size_t bin = bin_at(place.z);
-  std::vector<std::vector<Vec3d>>& places = feels_flow ? felt_ : free_;
+  std::vector<std::vector<Vec3d>>& places = feels_flow ? felt_ : unfelt_;
   if (bin >= places.size()) places.resize(bin + 1);
   places[bin].push_back(place);
 }
 
-/// Length that the flow covers in a bin along a horizontal unit vector, m: of the places that feel
-/// it, each as long as a spacing, without those that only the kernel reaches, which are as near to
-/// free ones as that. At an end of the structure there is nothing to be free.
+/// Length that the flow covers in a bin along a horizontal unit vector, m. Each place that feels it
+/// counts as a spacing, but for those within the overhang from one that does not: there only the
+/// kernel reaches. At an end of the structure there is no such place, and all counts.
 double LoadProfile::covered(std::size_t bin, const Vec3d& along) const {
   const std::vector<double> felt = stations(felt_, bin, along);
-  std::vector<double> free = stations(free_, bin, along);
-  // What lies behind a place that feels the flow, deeper in the structure, does not count.
-  std::erase_if(free, [&](double at) { return distance_to(felt, at) < spacing_ / 2; });
+  std::vector<double> unfelt = stations(unfelt_, bin, along);
+  // But for what lies deeper in the structure, behind a place that feels the flow.
+  std::erase_if(unfelt, [&](double at) { return distance_to(felt, at) < spacing_ / 2; });
   double length = 0, end = -std::numeric_limits<double>::infinity();
   for (const double middle : felt) {
-    if (distance_to(free, middle) < overhang_) continue;
+    if (distance_to(unfelt, middle) < overhang_) continue;
     length += middle + spacing_ / 2 - std::max(end, middle - spacing_ / 2);
     end = middle + spacing_ / 2;
   }
@@ -87,7 +87,7 @@ std::vector<LoadProfile::Bin> LoadProfile::take(double interval) {
   }
   impulse_.clear();
   felt_.clear();
-  free_.clear();
+  unfelt_.clear();
   return bins;
 }
 

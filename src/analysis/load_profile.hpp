@@ -37,7 +37,7 @@ class LoadProfile {
 
   template <class Archive>
   void archive(Archive& a) {
-    a(impulse_, felt_, free_);
+    a(impulse_);  // places are gone after take()
   }
 
  private:
@@ -45,9 +45,9 @@ class LoadProfile {
   double covered(std::size_t bin, const Vec3d& along) const;
 
   double base_, spacing_;
-  double overhang_;                              // m, by which the kernel reaches beside the flow
-  std::vector<Vec3d> impulse_;                   // by bin
-  std::vector<std::vector<Vec3d>> felt_, free_;  // by bin: places that feel the flow, and others
+  double overhang_;                                // m, by which the kernel reaches beside the flow
+  std::vector<Vec3d> impulse_;                     // by bin
+  std::vector<std::vector<Vec3d>> felt_, unfelt_;  // by bin: places that do or do not
 };
 
 }  // namespace sabo

@@ -56,9 +56,9 @@ class Backend {
   /// May be a copy, which holds what it held when it was asked for: ask again after a sweep.
   virtual Particles& fluid() = 0;
   virtual Particles& boundary() = 0;
-  /// The same for the host to keep, not to hand back. A copy from a device is made beside what the
-  /// host does next: what is returned waits for it and fills `into`. That is to be called once, in
-  /// any thread, before another copy is asked for.
+  /// Starts a copy of the fluid for the host to keep. The function that is returned waits for it
+  /// and fills `into`, which must outlive it; to be called once, from any thread, before another
+  /// copy is asked for.
   virtual std::function<void()> copy_fluid(Particles& into) = 0;
   /// Where the fluid is: less than all that fluid() fetches, and nothing to hand back. Good until
   /// the next sweep.
@@ -136,10 +136,13 @@ class Backend {
   /// Since the start. May be a copy: ask again after a step.
   virtual const HeatAccount& heat() const = 0;
 
+  /// From the next list of neighbours on loads of foundations act at this level.
+  void set_ground_level(GroundLevel level) { ground_level_ = std::move(level); }
   /// What the fluid does to each body at the last evaluation, number 1 first: minus what its
   /// particles do to the fluid, by pressure, artificial viscosity and stress; in the implicit
   /// method also by the wall law, from near_motion() on. Particles that sleep press as they last
-  /// did, without friction. Empty without bodies.
+  /// did, without friction. Of the ground under a body it has the horizontal part. Empty without
+  /// bodies.
   virtual const std::vector<BodyLoad>& body_loads() const = 0;
   /// The same, particle by particle of the bodies.
   virtual const std::vector<BodyForce>& body_forces() const = 0;
@@ -168,6 +171,7 @@ class Backend {
 
  protected:
   FlowModel model_;
+  GroundLevel ground_level_;      // may be none
   mutable PassTimes pass_times_;  // sums that change nothing are clocked as well
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "math/vec3.hpp"
 
@@ -24,15 +25,19 @@ struct BodyLoad {
   }
 };
 
+/// Elevation of the ground at a place in plan, m.
+using GroundLevel = std::function<double(double x, double y)>;
+
 /// A part of it that acts at one boundary particle.
 struct BodyForce {
-  std::uint32_t body = 0;  ///< its number, from 1
-  Vec3d position;          ///< of the particle, m
-  Vec3d force;             ///< N
+  std::uint32_t body = 0;      ///< its number, from 1
+  bool is_foundation = false;  ///< at the ground under the body, which bears the weight itself
+  Vec3d position;              ///< of the particle; of a foundation the ground above it, m
+  Vec3d force;                 ///< N; of a foundation the horizontal part alone
 
   template <class Archive>
   void archive(Archive& a) {
-    a(body, position, force);
+    a(body, is_foundation, position, force);
   }
 };
 

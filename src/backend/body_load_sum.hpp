@@ -12,22 +12,28 @@ namespace sabo {
 /// What the fluid does to bodies, from the forces on their particles.
 class BodyLoadSum {
  public:
-  /// Takes the boundary particles that belong to bodies, in the order in which their forces come.
-  /// Loads stay what they were: those of bodies once known, whether or not they have particles.
-  void list(std::vector<BodyForce> particles) {
+  /// Takes the boundary particles that belong to bodies, in the order in which their forces come,
+  /// and the level of the ground, if there is one, to which foundations are raised. Loads stay what
+  /// they were: those of bodies once known, whether or not they have particles.
+  void list(std::vector<BodyForce> particles, const GroundLevel& ground) {
     forces_ = std::move(particles);
     std::size_t bodies = loads_.size();
-    for (const BodyForce& at : forces_) bodies = std::max<std::size_t>(bodies, at.body);
+    for (BodyForce& at : forces_) {
+      bodies = std::max<std::size_t>(bodies, at.body);
+      if (at.is_foundation && ground) at.position.z = ground(at.position.x, at.position.y);
+    }
     loads_.resize(bodies);
   }
 
-  /// Sums up forces on these particles, N. In their order, whoever found which.
+  /// Takes the forces on the listed particles, N, in the order of the list, and sums them up by
+  /// body in that order.
   void sum(const std::vector<Vec3d>& forces) {
     std::ranges::fill(loads_, BodyLoad{});
     for (std::size_t k = 0; k < forces_.size(); ++k) {
       BodyForce& at = forces_[k];
       at.force = forces[k];
-      loads_[at.body - 1] += BodyLoad{forces[k], cross(at.position, forces[k])};
+      if (at.is_foundation) at.force.z = 0;
+      loads_[at.body - 1] += BodyLoad{at.force, cross(at.position, at.force)};
     }
   }
 

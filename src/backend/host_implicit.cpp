@@ -90,7 +90,7 @@ void HostBackend::list_bodies() {
   std::vector<BodyForce> particles(body_rows_.size());
   on_.for_each(particles.size(),
                FindBodyParticle{view_of(boundary_), body_rows_.data(), particles.data()});
-  body_loads_.list(std::move(particles));
+  body_loads_.list(std::move(particles), ground_level_);
   row_forces_.assign(body_rows_.size(), {});
 }
 

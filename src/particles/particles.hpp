@@ -8,6 +8,11 @@
 
 namespace sabo {
 
+// What Particles::body holds: the number of the body that a boundary particle is a part of, with a
+// mark if it is the ground under it, see Ground.
+inline constexpr std::uint16_t foundation_mark = 0x8000;
+inline constexpr std::uint16_t most_bodies = foundation_mark - 1;
+
 // The one list of particle fields: X(type, name, unit, meaning, is_shown). Members, sizes,
 // permutations and the arrays of a frame come from it; a frame leaves out what is not shown.
 #define SABO_PARTICLE_FIELDS(X)                                                                    \
@@ -19,7 +24,7 @@ namespace sabo {
   X(double, pressure, "Pa", "pressure of the last evaluation; may be negative", true)              \
   X(double, viscosity, "Pa s", "effective viscosity of the last evaluation", true)                 \
   X(double, shear_rate, "1/s", "engineering shear rate of the last evaluation", true)              \
-  X(std::uint16_t, body, "", "number of the body it is a part of; 0: ground or flow", false)       \
+  X(std::uint16_t, body, "", "body that bears what acts on it; 0: none", false)                    \
   X(std::uint16_t, driven, "", "number of the inflow that moves it, from 1; 0: it is free", false) \
   X(double, calm, "s", "time since it last moved; 0 unless deposits may sleep", false)             \
   X(Vec3d, drag, "m/s2", "acceleration by an implicit viscosity, guess of the next", false)

@@ -43,7 +43,7 @@ CheckpointHead checkpoint_head(const Case& c, const Scene& scene) {
   head.machine = cpu_name();
   head.case_text = write_case(c);
   for (const fs::path& file : input_files(c)) head.inputs.push_back(checksum(file));
-  head.origin = {scene.frame.origin_x, scene.frame.origin_y, 0};
+  head.origin = scene.frame.origin();
   head.released = scene.release.size();
   return head;
 }

@@ -42,8 +42,7 @@ Strip strip_of(const Raster& elevation, double spacing) {
 Approach approach_of(const CheckDam& dam, const Scene& scene, double spacing) {
   const Raster& elevation = scene.surface->elevation();
   const Strip strip = strip_of(elevation, spacing);
-  const double side =
-      project(dam.axis, scene.release_centre.x, scene.release_centre.y).offset < 0 ? -1 : 1;
+  const double side = scene.side_of_release(dam);
   const double span = length(dam.axis);
   return {elevation, [&, side](double x, double y) {
             const LinePlace place = project(dam.axis, x, y);
@@ -138,7 +137,7 @@ std::vector<LoadRow> StructureLoads::write_row(double time, const Stepper& stepp
                                                Backend& backend, const Columns& columns) {
   std::vector<LoadRow> list;
   for (const BodyForce& at : backend.body_forces())
-    structures_[at.body - 1].profile.see(at.position, at.force != Vec3d{});
+    if (!at.is_foundation) structures_[at.body - 1].profile.see(at.position, at.force != Vec3d{});
   const std::vector<BodyLoad>& impulses = stepper.body_impulses();
   std::vector<double> row{time};
   for (std::size_t k = 0; k < structures_.size(); ++k)

@@ -9,13 +9,6 @@
 #include "base/host_loops.hpp"
 
 namespace sabo {
-namespace {
-
-// A particle between four of a wall may come as near to it as this, in spacings beyond the surface,
-// without any of the five being nearer to another than particles usually are.
-constexpr double tolerated_depth = 0.1;
-
-}  // namespace
 
 Domain::Domain(Ground& ground, const std::vector<InflowPlan>& inflows, std::uint32_t next_id)
     : ground_(ground), next_id_(next_id) {
@@ -53,7 +46,10 @@ void Domain::update(Backend& backend) {
     departed_.append(fluid, leaving);
     if (!leaving.empty()) fluid.permute(staying);
   }
-  const BoundaryChange change = ground_.follow(backend.positions(), backend.list_radius(), threads);
+  // Beside the flow as far as structures do not feel it any more, see LoadProfile.
+  const bool has_structures = !ground_.dams().empty() || !ground_.bodies().empty();
+  const double reach = backend.list_radius() + (has_structures ? ground_.spacing() : 0);
+  const BoundaryChange change = ground_.follow(backend.positions(), reach, threads);
   if (!change.is_empty()) backend.change_boundary(change);
 }
 

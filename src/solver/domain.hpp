@@ -17,6 +17,10 @@ namespace sabo {
 /// they come.
 class Domain {
  public:
+  /// A particle between four of a wall may come as near to it as this, in spacings beyond the
+  /// surface, without any of the five being nearer to another than particles usually are.
+  static constexpr double tolerated_depth = 0.1;
+
   explicit Domain(Ground& ground) : ground_(ground) {}
   /// Inflows number their particles from `next_id` on; the plans, if any, must outlive the domain.
   Domain(Ground& ground, const std::vector<InflowPlan>& inflows, std::uint32_t next_id);

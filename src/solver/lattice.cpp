@@ -76,7 +76,7 @@ void mark_foundation(Particles& boundary, const Box& box, std::uint16_t body) {
     const Vec3d& x = boundary.position[b];
     if (boundary.body[b] == 0 && x.z < box.low.z && x.x > box.low.x && x.x < box.high.x &&
         x.y > box.low.y && x.y < box.high.y)
-      boundary.body[b] = body;
+      boundary.body[b] = static_cast<std::uint16_t>(body | foundation_mark);
   }
 }
 

@@ -43,8 +43,8 @@ struct Tank {
   void add_to(Particles& boundary, const FlowModel& model) const;
 };
 
-/// Gives those particles of walls and floors that lie under a box the number of its body: what acts
-/// there is its load, see Ground.
+/// Makes those particles of walls and floors that lie under a box the foundation of its body, see
+/// Ground.
 void mark_foundation(Particles& boundary, const Box& box, std::uint16_t body);
 
 /// Gives the fluid the density of one at rest whose level surface is at the height `surface` (m):

@@ -7,6 +7,12 @@
 
 namespace sabo {
 
+Stepper::Stepper(Backend& backend, Domain* domain) : backend_(backend), domain_(domain) {
+  if (!domain) return;
+  const Surface& ground = domain->ground().surface();
+  backend.set_ground_level([&ground](double x, double y) { return ground.height(x, y); });
+}
+
 StepReport Stepper::step(double longest) {
   if (particles_changed_) renew_neighbours();
   const StepReport report = advance(longest);

@@ -28,7 +28,7 @@ struct StepReport {
 class Stepper {
  public:
   /// `domain` may be null: then the boundary is what the caller put there.
-  Stepper(Backend& backend, Domain* domain) : backend_(backend), domain_(domain) {}
+  Stepper(Backend& backend, Domain* domain);
   Stepper(const Stepper&) = delete;
   Stepper& operator=(const Stepper&) = delete;
   virtual ~Stepper() = default;

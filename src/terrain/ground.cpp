@@ -15,7 +15,7 @@ namespace sabo {
 namespace {
 
 constexpr int tile_columns = 8;      // per side
-constexpr double foot_height = 0.1;  // above the ground, spacings
+constexpr double foot_height = 0.5;  // spacings, over which nothing flows under what stands there
 
 /// Both tile numbers in one key; keys sort by column of tiles, then row.
 std::int64_t key_of(std::int32_t i, std::int32_t j) {
@@ -224,25 +224,26 @@ void Ground::make_tile(std::int64_t key, std::vector<GroundPoint>& into) const {
   if (body != body_points_.end()) into.insert(into.end(), body->second.begin(), body->second.end());
 }
 
-/// Gives the ground of a tile under structures their number.
+/// Makes the ground of a tile under structures their foundations.
 void Ground::mark_foundations(double west, double south, std::span<GroundPoint> ground) const {
   const auto overlaps = [](const Bounds& a, double w, double s, double e, double n) {
     return a.low.x <= e && w <= a.high.x && a.low.y <= n && s <= a.high.y;
   };
   for (std::size_t k = 0; k < bounds_.size(); ++k) {
     if (!overlaps(bounds_[k], west, south, west + tile_size_, south + tile_size_)) continue;
+    const auto mark = static_cast<std::uint16_t>((k + 1) | foundation_mark);
     for (GroundPoint& point : ground) {
       const Vec3d& x = point.position;
-      if (point.body != 0 || !overlaps(bounds_[k], x.x, x.y, x.x, x.y)) continue;
-      if (!surface_.inside(x.x, x.y)) continue;
-      const Vec3d foot{x.x, x.y, surface_.height(x.x, x.y) + foot_height * settings_.spacing};
-      if (stands_on(k, foot)) point.body = static_cast<std::uint16_t>(k + 1);
+      if (point.body == 0 && overlaps(bounds_[k], x.x, x.y, x.x, x.y) && stands_on(k, x.x, x.y))
+        point.body = mark;
     }
   }
 }
 
 /// Whether a dam or, after the dams, a body holds a place just above the ground.
-bool Ground::stands_on(std::size_t structure, const Vec3d& foot) const {
+bool Ground::stands_on(std::size_t structure, double x, double y) const {
+  if (!surface_.inside(x, y)) return false;
+  const Vec3d foot{x, y, surface_.height(x, y) + foot_height * settings_.spacing};
   return structure < dams_.size() ? dams_[structure].contains(foot)
                                   : bodies_[structure - dams_.size()].contains(foot);
 }

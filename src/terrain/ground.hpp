@@ -18,13 +18,14 @@ namespace sabo {
 /// Boundary particles of the terrain, its dams and bodies, made only near the flow: the map is cut
 /// into square tiles of 8 x 8 lattice columns. See GroundColumns, dam_columns and body_points for
 /// their places. What stands in the ground, in a dam or in an earlier body has none there. Those of
-/// dams and bodies carry their number, from 1, dams first; so does the ground under one that stands
-/// on it.
+/// dams and bodies carry their number, from 1, dams first. So does the ground under what stands on
+/// it, as its foundation: columns whose middle lies under it, each under the first that holds it.
 ///
-/// Why the ground: the flow before a wall reaches past its foot, with the kernel, into the ground
-/// under it, and what acts there is the wall's. A wall that went on downwards shows it: still water
-/// of depth H, the same all along, can push along nothing but what lies behind the face, and pushes
-/// on all of that with rho g H²/2.
+/// Why foundations: the flow before a wall reaches past its foot, with the kernel, into the ground
+/// under it. In still water of depth H, the same all along, it can be pushed along by nothing but
+/// what lies behind the face, which then is pushed by rho g H²/2 in all; half of the corner at the
+/// foot is ground. Upwards it is pushed by the ground alone, as a face that is cut off at the foot
+/// gets as much from above as from below. So the horizontal part is the wall's.
 class Ground {
  public:
   /// Throws CaseError when a dam or body has no part above the ground. The surface must outlive the
@@ -68,7 +69,7 @@ class Ground {
   void append(const std::vector<GroundPoint>& points, Particles& into);
 
   void mark_foundations(double west, double south, std::span<GroundPoint> ground) const;
-  bool stands_on(std::size_t structure, const Vec3d& foot) const;
+  bool stands_on(std::size_t structure, double x, double y) const;
   void place_dams();
   void place_body(std::size_t index);
   std::int64_t tile_at(double x, double y) const;

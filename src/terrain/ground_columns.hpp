@@ -19,7 +19,7 @@ struct GroundSettings {
 struct GroundPoint {
   Vec3d position;
   double mass = 0;         ///< kg
-  std::uint16_t body = 0;  ///< number of the body it is a part of; 0: the ground
+  std::uint16_t body = 0;  ///< see Particles
 };
 
 /// Columns of particles below the ground, on the horizontal lattice of the whole map.

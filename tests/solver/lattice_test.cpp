@@ -71,7 +71,7 @@ TEST(Foundation, IsTheFloorUnderABox) {
     if (walls.position[b].z > 0) continue;
     const bool is_under = walls.position[b].x > 0.4 && walls.position[b].x < 0.6 &&
                           walls.position[b].y > 0.1 && walls.position[b].y < 0.4;
-    EXPECT_EQ(walls.body[b], is_under ? 2 : 0);
+    EXPECT_EQ(walls.body[b], is_under ? 2 | foundation_mark : 0);
     count += is_under ? 1 : 0;
   }
   EXPECT_EQ(count, 2u * 3 * 3);

@@ -238,14 +238,21 @@ TEST(GroundWithBody, HasItsParticlesAboveTheGroundOnceAndNumbered) {
   std::map<int, double> volume, foundation;
   for (std::size_t k = 0; k < boundary.size(); ++k) {
     const bool is_above = boundary.position[k].z > 0;
-    EXPECT_TRUE(!is_above || boundary.body[k] > 0);
-    (is_above ? volume : foundation)[boundary.body[k]] += boundary.mass[k] / density;
+    const bool is_foundation = boundary.body[k] >= foundation_mark;
+    EXPECT_FALSE(is_above && (is_foundation || boundary.body[k] == 0));
+    EXPECT_TRUE(is_above || is_foundation || boundary.body[k] == 0);
+    (is_above ? volume : foundation)[boundary.body[k] & most_bodies] += boundary.mass[k] / density;
   }
   EXPECT_NEAR(volume[1], 2 * 0.4 * 0.5, 1e-9);
   // The core deeper than three spacings is empty: 4 x 4 of the upper two rows.
   EXPECT_NEAR(volume[2], 0.5 - 4 * 4 * 2 * 0.001, 1e-9);
   EXPECT_NEAR(volume[3], 0.25, 1e-9);  // the half that is not in the first
   // The ground under them, three layers of 0.1 m, is of the first that stands there.
+  for (std::size_t k = 0; k < boundary.size(); ++k) {
+    const Vec3d& x = boundary.position[k];
+    if ((boundary.body[k] & most_bodies) != 3) continue;
+    EXPECT_TRUE(x.x > 1 && x.x < 1.5 && x.y > 0 && x.y < 1) << x.x << ' ' << x.y;
+  }
   EXPECT_NEAR(foundation[1], 2 * 0.4 * 0.3, 1e-9);
   EXPECT_NEAR(foundation[2], 0.3, 1e-9);
   EXPECT_NEAR(foundation[3], 0.15, 1e-9);

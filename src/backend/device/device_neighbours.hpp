@@ -182,7 +182,7 @@ void DeviceBackend<Executor>::list_bodies() {
   on_.for_each(listed.size(), FindBodyParticle{boundary_.view(), body_rows_.data(), listed.data()});
   std::vector<BodyForce> particles;
   on_.download(listed, particles);
-  fetched_loads().list(std::move(particles));
+  fetched_loads().list(std::move(particles), ground_level_);
   on_.zero(row_forces_, body_rows_.size());
 }
 
@@ -191,7 +191,8 @@ template <class Executor>
 void DeviceBackend<Executor>::forget_results() {
   ids_copy_.clear();
   for (auto* array : {&strain_, &stress_}) on_.release(*array);
-  for (auto* array : {&wall_slope_, &background_}) on_.release(*array);
+  on_.release(wall_grip_);
+  on_.release(background_);
   on_.release(shift_);
   for (auto* array :
        {&wall_drag_, &support_, &artificial_heat_, &diffusion_rate_, &wall_heat_, &pressure_power_})
@@ -221,7 +222,7 @@ void DeviceBackend<Executor>::need_implicit_arrays() {
   on_.zero(strain_, fluids);
   on_.zero(wall_share_, fluids);
   on_.zero(filling_, fluids);
-  on_.zero(wall_slope_, fluids);
+  on_.zero(wall_grip_, fluids);
   if (model_.artificial_viscosity > 0) on_.zero(artificial_heat_, fluids);
   if (model_.diffusion_form == DiffusionForm::fourtakas) on_.zero(background_, fluids);
   // The last is the one that is looked at: memory may run out before.

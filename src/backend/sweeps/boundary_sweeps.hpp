@@ -52,7 +52,9 @@ struct FindBodyParticle {
   BodyForce* particles;
   SABO_HD void operator()(std::size_t k) const {
     const std::size_t b = rows[k];
-    particles[k] = {boundary.body[b], boundary.position[b], {}};
+    const bool is_foundation = (boundary.body[b] & foundation_mark) != 0;
+    const auto number = static_cast<std::uint16_t>(boundary.body[b] & most_bodies);
+    particles[k] = {number, is_foundation, boundary.position[b], {}};
   }
 };
 

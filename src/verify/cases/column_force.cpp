@@ -94,7 +94,7 @@ TimeIntegral simulated(const VerifySettings& settings, const Run& run,
   return force;
 }
 
-/// Times count from the arrival, so that they do not hang on how the gate was drawn.
+/// Times count from the arrival, so that they do not depend on how the gate was drawn.
 double late(const TimeIntegral& force) {
   return force.rises_above(quarter, 0.005) - measured_arrival;
 }
