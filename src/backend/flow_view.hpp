@@ -33,7 +33,7 @@ struct FlowView {
   // Of the implicit method.
   WallShare* wall = nullptr;
   double* wall_drag = nullptr;  ///< area times resistance, kg/s
-  Vec3d* wall_slope = nullptr;  ///< normal out of the wall over the distance to it, 1/m
+  WallGrip* grip = nullptr;
   double* support = nullptr;    ///< share of the kernel that has neighbours, by its gradient
   Vec3d* background = nullptr;  ///< density gradient that diffusion leaves alone, 1/m
   Filling* filling = nullptr;
@@ -55,7 +55,7 @@ struct FlowArrays {
     flow.has_neighbours = of.has_neighbours_.data();
     flow.wall = of.wall_share_.data();
     flow.wall_drag = of.wall_drag_.data();
-    flow.wall_slope = of.wall_slope_.data();
+    flow.grip = of.wall_grip_.data();
     flow.support = of.support_.data();
     flow.background = of.background_.size() > 0 ? of.background_.data() : nullptr;
     flow.filling = of.filling_.data();

@@ -49,7 +49,7 @@ void HostBackend::find_neighbours() {
   pressure_power_.assign(fluid_.size(), 0);
   wall_share_.assign(fluid_.size(), {});
   wall_drag_.assign(fluid_.size(), 0);
-  wall_slope_.assign(fluid_.size(), {});
+  wall_grip_.assign(fluid_.size(), {});
   support_.assign(fluid_.size(), 0);
   filling_.assign(fluid_.size(), {});
   background_.assign(fluid_.size(), {});

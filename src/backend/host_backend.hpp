@@ -112,7 +112,7 @@ class HostBackend : public Backend {
   // Of the implicit method, fluid only.
   std::vector<WallShare> wall_share_;
   std::vector<double> wall_drag_;  ///< area times resistance, kg/s
-  std::vector<Vec3d> wall_slope_;  ///< normal out of the wall over the distance to it, 1/m
+  std::vector<WallGrip> wall_grip_;
   std::vector<double> support_;    ///< share of the kernel that has neighbours, by its gradient
   std::vector<Vec3d> background_;  ///< density gradient that diffusion leaves alone, 1/m
   std::vector<Filling> filling_;

@@ -11,4 +11,10 @@ struct WallShare {
   Vec3d velocity;  ///< of the wall, times share, m/s
 };
 
+/// How the wall holds the flow at a particle.
+struct WallGrip {
+  Vec3d slope;      ///< normal out of the wall over the distance to it, 1/m
+  double held = 0;  ///< resistance of the wall over that of one to which the flow sticks, 0 to 1
+};
+
 }  // namespace sabo

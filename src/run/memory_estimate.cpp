@@ -21,7 +21,7 @@ constexpr double ground_beside_flow = 11;  // spacings across: a list's radius a
 // Of the backend cuda (backend/device/device_backend.hpp), by what is allocated; per particle.
 constexpr double card_bytes_of_any = 128 + 9;    // fields; numbers of neighbours
 constexpr double card_bytes_of_fluid = 32 + 29;  // rates; place at the last list, whether awake
-constexpr double card_bytes_of_fast = 380;       // strain, walls, filling, solver, records
+constexpr double card_bytes_of_fast = 388;       // strain, walls, filling, solver, records
 constexpr double card_bytes_of_shift = 32;
 constexpr double card_bytes_of_paper = 256;        // strain, stress, start of the step, records
 constexpr double card_bytes_of_ground_fast = 112;  // density rate, records, weights

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
@@ -85,6 +86,37 @@ TEST(WallResistance, AddsUpToTheStressOverTheBed) {
     for (const double drag : backend->wall_drag_) force += drag * speed;
     // Density at 3000 Pa is 0.7 % above the reference.
     EXPECT_NEAR(force / (0.64 * c.stress), 1, 0.01);
+  }
+}
+
+// Six layers that move as one: over a wall on which they slide nothing is sheared, over one that
+// holds them with a quarter of what sticking takes a quarter of what that shears. At rest all the
+// viscosity there is: 1 Pa s.
+TEST(WallGrip, ShearsTheFlowByAsMuchAsItIsHeld) {
+  constexpr double speed = 1;
+  const auto shear_rate = [](test::On kind, const WallShear& wall) {
+    FlowModel model = viscous(1);
+    model.wall = wall;
+    model.periodic.period = {Vec3d{0.8, 0, 0}, Vec3d{0, 0.8, 0}, Vec3d{}};
+    const auto backend = test::make_backend(kind, model);
+    test::add_block(backend->fluid(), model, {0, 8, 0, 8, 0, 6});
+    test::add_block(backend->boundary(), model, {0, 8, 0, 8, -3, 0});
+    for (Vec3d& v : backend->fluid().velocity) v = {speed, 0, 0};
+    prepare(*backend);
+    const double dt = 1e-9;
+    backend->advance_velocity(dt, 1e-9, 10);
+    backend->near_motion();
+    backend->advance_state(dt);
+    double greatest = 0;
+    for (const double rate : backend->fluid().shear_rate) greatest = std::max(greatest, rate);
+    return greatest;
+  };
+  for (const test::On kind : test::backends()) {
+    const double sticks = shear_rate(kind, NoSlip{});
+    EXPECT_GT(sticks, 0.5 * speed / 0.1);
+    EXPECT_LT(shear_rate(kind, Slip{}), 1e-5 * sticks);
+    // Sticking takes 1 Pa s over half a spacing, 20 Pa.
+    EXPECT_NEAR(shear_rate(kind, Coulomb{5, 0}), 0.25 * sticks, 0.01 * sticks);
   }
 }
 

@@ -167,6 +167,7 @@ INSTANTIATE_TEST_SUITE_P(PlacesAndWalls, ImplicitSweeps,
                          testing::Combine(testing::Values(2, 3),
                                           testing::Values(Cloud::free, Cloud::periodic, Cloud::far),
                                           testing::Values(WallShear{NoSlip{}},
+                                                          WallShear{Coulomb{2, 0}},
                                                           WallShear{Voellmy{{5, 0.2}, 300}})));
 
 TEST(ImplicitSweeps, AgreeForEveryOtherSwitch) {

@@ -130,7 +130,7 @@ void CpuBackend::near_motion() {
   const PassClock clock(pass_times_, "near motion", near_.size());
   parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
     sweeps_.near_motion({&scale_, &near_, motion_.data(), background_.data(), closing_.data(),
-                         wall_slope_.data(), awake_.data(), range.first, range.last, strain_.data(),
+                         wall_grip_.data(), awake_.data(), range.first, range.last, strain_.data(),
                          density_rate_.data(), diffusion_rate_.data(), support_.data()});
   });
 }

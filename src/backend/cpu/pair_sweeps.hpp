@@ -89,7 +89,7 @@ struct NearMotionTask {
   const MotionRecord* records;
   const Vec3d* background;       ///< by particle: density gradient that diffusion leaves alone, 1/m
   const ClosingRecord* closing;  ///< by particle, of walls
-  const Vec3d* wall_slope;       ///< by particle: normal of the wall over the distance to it, 1/m
+  const WallGrip* grip;          ///< by particle
   const std::uint32_t* rows;
   std::size_t first, last;
   Sym3<double>* strain;    ///< out, of the whole kernel even where a part of it is empty

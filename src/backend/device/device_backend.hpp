@@ -216,7 +216,8 @@ class DeviceBackend : public Backend {
   Array<double> start_density_, start_boundary_density_;
 
   // Of the implicit method; empty until its sweeps run.
-  Array<Vec3d> wall_slope_, background_;
+  Array<WallGrip> wall_grip_;
+  Array<Vec3d> background_;
   Array<Shift> shift_;
   Array<double> artificial_heat_;
   Array<FlowRecord> flow_records_;

@@ -210,7 +210,7 @@ std::size_t DeviceBackend<Executor>::device_bytes() const {
                   strain_, density_rate_, acceleration_, motion_) +
          bytes_of(stress_, pressure_power_, wall_heat_, stress_records_, start_position_,
                   start_velocity_, start_density_, start_boundary_density_) +
-         bytes_of(wall_share_, filling_, wall_drag_, support_, wall_slope_, background_, shift_,
+         bytes_of(wall_share_, filling_, wall_drag_, support_, wall_grip_, background_, shift_,
                   artificial_heat_, diffusion_rate_, flow_records_, wall_weight_, closings_) +
          bytes_of(body_rows_, row_forces_, sorted_fluid_.first);
 }

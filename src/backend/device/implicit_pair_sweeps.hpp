@@ -287,7 +287,7 @@ struct NearMotionSweep {
   SABO_HD void finish(std::size_t i, const Sums& sums) const {
     const float support = sums.support * (-1.0f / static_cast<float>(pairs.scale.dimension));
     // Where a part of the kernel is empty every derivative comes out too small by about that part.
-    const double scale = 1 / larger(support, 0.4f);
+    const double scale = 1 / larger(support, static_cast<float>(least_support));
     flow.strain[i] = scale * in_double(sums.eps);
     flow.diffusion_rate[i] = sums.diffusion_rate;
     flow.density_rate[i] =
@@ -314,13 +314,15 @@ struct NearMotionSweep {
   }
 
   /// The flow goes on into the wall as it comes from it, through the wall's velocity at the wall
-  /// (Morris et al. 1997): the difference grows with the distance along the normal.
+  /// (Morris et al. 1997): the difference grows with the distance along the normal. Where it
+  /// slides, only that share of its velocity along the wall by which it is held.
   SABO_HD void add_walls(std::size_t i, const MotionRecord& me, std::uint32_t k,
                          std::uint32_t stride, Sums& sums) const {
     const Vec3f velocity = PairSums::velocity(me);
-    const Vec3d& n = flow.wall_slope[i];
+    const Vec3d& n = flow.grip[i].slope;
     const Vec3f slope = in_single(n);
     const Vec3f normal = in_single(norm(n) > 0 ? normalised(n) : n);
+    const auto slides = static_cast<float>(1 - flow.grip[i].held);
     const auto kernel = pairs.kernel();
     for (; k < pairs.rows.count[i]; k += stride) {
       const std::uint32_t index = pairs.rows.at(i, k);
@@ -330,9 +332,11 @@ struct NearMotionSweep {
       const float mass = pairs.mass(j);
       const float weight = kernel.value(std::sqrt(pair.r2));
       const ClosingRecord c = closings[index - pairs.fluid_count];
-      sums.wall_rate += continuity(pair, v, mass) +
-                        handed_back(mass * weight, along(v, normal), c.rate, {c.gx, c.gy, c.gz});
-      sums.eps += strain_rate(pair, larger(dot(slope, pair.x), 0.0f) * v, j.volume);
+      const Vec3f past = along(v, normal);
+      sums.wall_rate +=
+          continuity(pair, v, mass) + handed_back(mass * weight, past, c.rate, {c.gx, c.gy, c.gz});
+      sums.eps +=
+          strain_rate(pair, larger(dot(slope, pair.x), 0.0f) * (v - slides * past), j.volume);
       sums.support += j.volume * pair.gradient * pair.r2;
     }
   }

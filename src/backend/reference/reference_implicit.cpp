@@ -115,8 +115,9 @@ void ReferenceBackend::near_motion() {
     double rate = 0, diffusion_rate = 0, wall_rate = 0;
     double support = 0;
     diffusion.hydrostatic = background_[i];
-    const Vec3d& slope = wall_slope_[i];
-    const Vec3d normal = norm(slope) > 0 ? normalised(slope) : slope;
+    const WallGrip& grip = wall_grip_[i];
+    const Vec3d normal = norm(grip.slope) > 0 ? normalised(grip.slope) : grip.slope;
+    const double slides = 1 - grip.held;
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
       const Vec3d v = velocity(i) - velocity(j);
       const double volume = mass(j) / density(j);
@@ -128,12 +129,14 @@ void ReferenceBackend::near_motion() {
       } else {
         const double weight = kernel.value(std::sqrt(pair.r2));
         const Closing& c = closing_on_wall[j - fluids];
-        wall_rate += continuity(pair, v, mass(j)) +
-                     handed_back(mass(j) * weight, along(v, normal), c.rate, c.gradient);
-        eps += strain_rate(pair, std::max(0.0, dot(slope, pair.x)) * v, volume);
+        const Vec3d past = along(v, normal);
+        wall_rate +=
+            continuity(pair, v, mass(j)) + handed_back(mass(j) * weight, past, c.rate, c.gradient);
+        eps +=
+            strain_rate(pair, std::max(0.0, dot(grip.slope, pair.x)) * (v - slides * past), volume);
       }
     });
-    strain_[i] = (1 / std::max(0.4, support)) * eps;
+    strain_[i] = (1 / std::max(least_support, support)) * eps;
     diffusion_rate_[i] = diffusion_rate;
     density_rate_[i] = rate + diffusion_rate + one_sided(wall_rate, density(i) / rho0 - 1);
     support_[i] = support;

@@ -22,7 +22,7 @@ struct FindWallResistance {
   SABO_HD void operator()(std::size_t i) const {
     const WallShare& wall = flow.wall[i];
     flow.wall_drag[i] = 0;
-    flow.wall_slope[i] = {};
+    flow.grip[i] = {};
     // A particle whose kernel barely touches the wall has no direction to it.
     if (!(wall.share > 1e-6) || !(norm(wall.gradient) > 0)) return;
     const double nearest = 0.25 * flow.model.spacing;
@@ -32,8 +32,10 @@ struct FindWallResistance {
     // The areas 2 V |grad S| of all particles add up to that of the wall, since the integral of
     // |dS/dd| over the distance is 1/2.
     const double area = 2 * flow.fluid.mass[i] / flow.model.state.rho0 * steepness;
-    flow.wall_drag[i] = area * wall_law.resistance(contact(i, normal, distance));
-    flow.wall_slope[i] = (1 / distance) * normal;
+    const WallContact at = contact(i, normal, distance);
+    const double resistance = wall_law.resistance(at);
+    flow.wall_drag[i] = area * resistance;
+    flow.grip[i] = {(1 / distance) * normal, at.sticking > 0 ? resistance / at.sticking : 1};
   }
 
  private:

@@ -5,6 +5,10 @@
 
 namespace sabo {
 
+/// Least filled share of the kernel by which derivatives are divided: below it the sum is too poor
+/// to be made up for.
+inline constexpr double least_support = 0.4;
+
 /// Contribution of j to eps = grad v + (grad v)^T at i, 1/s: - V_j (v_ij (x) grad W + transposed),
 /// V_j = m_j / rho_j (paper Eqs. 16-17 without the printed factor 1/2).
 template <class T>

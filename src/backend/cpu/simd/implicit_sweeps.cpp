@@ -206,10 +206,11 @@ HWY_INLINE void add_near_motion(const Constants& s, const NearMotionTask& task, 
     sums.support += j[7] * pair.gradient * pair.r2;
   }
   if (row.boundary == row.end) return;
-  const Vec3d& n = task.wall_slope[i];
+  const Vec3d& n = task.grip[i].slope;
   const Vec slope{Lanes(float(n.x)), Lanes(float(n.y)), Lanes(float(n.z))};
   const Vec3d unit = norm(n) > 0 ? normalised(n) : n;
   const Vec normal{Lanes(float(unit.x)), Lanes(float(unit.y)), Lanes(float(unit.z))};
+  const Lanes slides(static_cast<float>(1 - task.grip[i].held));
   for (const std::uint32_t* k = row.boundary; k != row.end; k += Lanes::count) {
     const Columns j = motion_records(task.records, k);
     const auto pair = pair_geometry(separation<periodic>(s, place, j), s.kernel);
@@ -217,11 +218,14 @@ HWY_INLINE void add_near_motion(const Constants& s, const NearMotionTask& task, 
     const Lanes mass_j = j[7] * (s.rho0 + s.rho0 * j[6]);
     const Lanes weight = s.kernel.value(sqrt(pair.r2)) * positive(pair.r2);
     const Columns c = closing_records(task.closing, k);
-    sums.wall_rate += continuity(pair, v, mass_j) +
-                      handed_back(mass_j * weight, along(v, normal), c[0], {c[1], c[2], c[3]});
+    const Vec past = along(v, normal);
+    sums.wall_rate +=
+        continuity(pair, v, mass_j) + handed_back(mass_j * weight, past, c[0], {c[1], c[2], c[3]});
     // The flow goes on into the wall as it comes from it, through the wall's velocity at the wall
-    // (Morris et al. 1997): the difference grows with the distance along the normal.
-    sums.eps += strain_rate(pair, larger(dot(slope, pair.x), Lanes(0.0f)) * v, j[7]);
+    // (Morris et al. 1997): the difference grows with the distance along the normal. Where it
+    // slides, only that share of its velocity along the wall by which it is held.
+    sums.eps +=
+        strain_rate(pair, larger(dot(slope, pair.x), Lanes(0.0f)) * (v - slides * past), j[7]);
     sums.support += j[7] * pair.gradient * pair.r2;
   }
 }
@@ -236,7 +240,7 @@ void near_motion_range(const NearMotionTask& task) {
     add_near_motion<periodic>(s, task, i, task.near->row(i), sums);
     const float support = per_dimension * sum(sums.support);
     // Where a part of the kernel is empty every derivative comes out too small by about that part.
-    const double scale = 1 / std::max(0.4f, support);
+    const double scale = 1 / std::max(static_cast<float>(least_support), support);
     const Sym3<Lanes>& e = sums.eps;
     task.strain[i] =
         scale * Sym3<double>{sum(e.xx), sum(e.xy), sum(e.xz), sum(e.yy), sum(e.yz), sum(e.zz)};
