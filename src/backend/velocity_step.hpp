@@ -137,8 +137,8 @@ class VelocityStep {
   }
 
   /// `multiply(mass, drag, progress)` sets solver.product to (mass + dt K + dt drag)
-  /// solver.direction, and solver.curvature; masses in kg, drags of the walls in kg/s. It need not
-  /// where there is a progress that has ended. `tolerance` in m/s.
+  /// solver.direction, and solver.curvature; masses in kg, drags of the walls in kg/s. It may
+  /// leave that out once `progress`, where there is one, has ended. `tolerance` in m/s.
   /// Driven particles keep their velocity; particles in neither list are at rest.
   template <class Multiply>
   ViscousSolve advance(const Executor& on, const FlowView& flow, RowList rows, RowList driven,

@@ -117,24 +117,15 @@ struct BeginSolve {
   }
 };
 
-/// How far to go along the direction.
-template <class T>
-struct FindLength {
-  const SolveProgress<T>* progress;
-  const Dot* curvature;
-  Vec3<T>* length;
-  SABO_HD void operator()(std::size_t) const { *length = ratios<T>(progress->energy, *curvature); }
-};
-
-/// As far as that.
+/// Along the direction, as far as it takes the energy down.
 template <class T>
 struct AdvanceSolve {
   SolverView<T> on;
   const SolveProgress<T>* progress;
-  const Vec3<T>* how_far;
+  const Dot* curvature;
   SABO_HD void operator()(std::size_t k, ResidualSums& sums) const {
     if (progress->has_ended) return;
-    const Vec3<T> length = *how_far;
+    const Vec3<T> length = ratios<T>(progress->energy, *curvature);
     const std::size_t i = on.rows[k];
     const Quad<T>& p = on.direction[i];
     const Quad<T>& q = on.product[i];
@@ -199,7 +190,6 @@ class ViscousSolver {
     for (Vector* v : {&change, &residual, &direction, &product}) on.zero(*v, particles);
     on.zero(diagonal, particles);
     on.zero(curvature, 1);
-    on.zero(length_, 1);
     on.zero(progress_, 1);
   }
 
@@ -216,7 +206,8 @@ class ViscousSolver {
   /// mean square over `rows`), or what is left of the first one is rounding. `multiply(progress)`
   /// sets `product` to the matrix times `direction`, and `curvature`; it need not once
   /// progress->has_ended. One that runs ahead starts as many iterations as the last solve took and
-  /// only then waits to hear of them: those that are not wanted do nothing.
+  /// only then waits to hear of them, and then half as many again: those that are not wanted do
+  /// nothing.
   template <class Multiply>
   ViscousSolve solve(const Executor& on, RowList rows, const T* mass, double tolerance, int most,
                      const Multiply& multiply) {
@@ -231,12 +222,11 @@ class ViscousSolver {
       if (started >= ahead) {
         known = on.last(progress_);
         if (known.has_ended) break;
-        ahead = started + (runs_ahead ? more_ahead : 1);
+        ahead = started + (runs_ahead ? larger(2, started / 2) : 1);
       }
       if (started > 0) on.for_each(rows.count, TurnSolve<T>{vectors, progress});
       multiply(progress);
-      on.for_each(1, FindLength<T>{progress, curvature.data(), length_.data()});
-      on.sum_into(rows.count, AdvanceSolve<T>{vectors, progress, length_.data()}, sums_);
+      on.sum_into(rows.count, AdvanceSolve<T>{vectors, progress, curvature.data()}, sums_);
       on.for_each(1, JudgeSolve<T>{sums_.data(), most, progress});
     }
     iterations_ = known.iterations;
@@ -247,9 +237,7 @@ class ViscousSolver {
  private:
   /// Of the first residual: what the precision of the products leaves.
   static constexpr double least_share = 100 * std::numeric_limits<T>::epsilon();
-  static constexpr int more_ahead = 2;  // where the last solve took fewer
 
-  typename Executor::template Array<Vec3<T>> length_;             // one
   typename Executor::template Array<ResidualSums> sums_;          // one
   typename Executor::template Array<SolveProgress<T>> progress_;  // one
   int iterations_ = 0;                                            // of the last solve

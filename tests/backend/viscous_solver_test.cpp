@@ -118,9 +118,15 @@ TEST(ViscousSolver, ThatRunsAheadEndsWithItsLimit) {
   problem.solver.runs_ahead = true;
   problem.solve(1e-12, 10);
   problem.pose();
+  problem.products = problem.needless = 0;
   const ViscousSolve outcome = problem.solve(1e-12, 1);
   EXPECT_FALSE(outcome.converged);
   EXPECT_EQ(outcome.iterations, 1);
+  EXPECT_EQ(problem.products, 1);
+  EXPECT_GT(problem.needless, 0);
+  Problem waiting;
+  waiting.solve(1e-12, 1);
+  EXPECT_EQ(problem.solver.change[2].x, waiting.solver.change[2].x);
 }
 
 }  // namespace
