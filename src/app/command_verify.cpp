@@ -1,6 +1,10 @@
 #include <algorithm>
+#include <atomic>
 #include <cstdio>
+#include <map>
 #include <memory>
+#include <mutex>
+#include <thread>
 
 #include "verify/report.hpp"
 #include <fmt/format.h>
@@ -11,6 +15,7 @@
 #include "app/stop_signals.hpp"
 #include "app/terminal.hpp"
 #include "base/error.hpp"
+#include "base/host_loops.hpp"
 
 namespace sabo {
 namespace {
@@ -41,8 +46,16 @@ void list_cases() {
   fmt::print("\nsabo verify NAME... runs some of them, sabo verify --all all.\n");
 }
 
+/// A case by one of its methods.
+struct Chosen {
+  const Verification* verification;
+  Method method;
+
+  std::string name() const { return fmt::format("{} ({})", verification->name, word_of(method)); }
+};
+
 /// The cases that are wanted, in the order of the list, once for each method.
-std::vector<std::pair<const Verification*, Method>> chosen(const VerifyOptions& options) {
+std::vector<Chosen> chosen(const VerifyOptions& options) {
   for (const std::string& name : options.names)
     if (std::ranges::count(case_names(), name) == 0)
       throw CaseError("NAME", fmt::format("there is no case \"{}\"", name),
@@ -51,34 +64,105 @@ std::vector<std::pair<const Verification*, Method>> chosen(const VerifyOptions& 
   if (!options.method.empty() && !only)
     throw CaseError("--method", fmt::format("there is no method \"{}\"", options.method),
                     fmt::format("give {}", fmt::join(Words<Method>::list, " or ")));
-  std::vector<std::pair<const Verification*, Method>> list;
+  std::vector<Chosen> list;
   for (const Verification& v : verifications())
     if (options.all || std::ranges::count(options.names, v.name) > 0)
       for (const Method method : v.methods)
-        if (!only || method == *only) list.emplace_back(&v, method);
+        if (!only || method == *only) list.push_back({&v, method});
   if (list.empty())
     throw CaseError("--method", "none of these cases is for that method",
                     "sabo verify lists the methods of each case");
   return list;
 }
 
-void clear_line() {
-  if (is_terminal(stderr)) fmt::print(stderr, "\r\033[K");
-}
+/// Runs cases side by side, each with its share of the threads: most are too small for many.
+class CaseRuns {
+ public:
+  CaseRuns(const VerifyOptions& options, Effort effort, const std::atomic<bool>& stop)
+      : options_(options), effort_(effort), stop_(stop), cases_(chosen(options)) {}
 
-VerifyRecord run(const Verification& v, const VerifySettings& settings,
-                 const std::atomic<bool>& stop) {
-  VerifySettings watched = settings;
-  watched.on_progress = [&](double share) {
-    if (stop) throw Stopped();
-    if (is_terminal(stderr))
-      fmt::print(stderr, "\r{} ({}) {:3.0f} %", v.name, word_of(settings.method), 100 * share);
-  };
-  watched.on_progress(0);
-  VerifyRecord record = run_verification(v, watched);
-  clear_line();
-  return record;
-}
+  void carry_out() {
+    const int count = std::min(options_.threads, static_cast<int>(cases_.size()));
+    threads_ = std::max(1, options_.threads / count);
+    ThrownInside thrown;
+    std::vector<std::jthread> workers;
+    for (int k = 0; k < count; ++k) workers.emplace_back([&] { thrown.watch([&] { work(); }); });
+    workers.clear();  // waits for them
+    thrown.rethrow();
+  }
+
+  std::size_t passed() const { return passed_; }
+  std::size_t finished() const { return finished_; }
+  bool was_stopped() const { return was_stopped_; }
+
+ private:
+  void work() {
+    try {
+      for (std::size_t k = next_++; k < cases_.size() && !stop_; k = next_++) carry_out(k);
+    } catch (const Stopped&) {
+      was_stopped_ = true;
+    } catch (...) {
+      next_ = cases_.size();  // the others end with what they are at
+      throw;
+    }
+    if (stop_) was_stopped_ = true;
+  }
+
+  void carry_out(std::size_t k) {
+    const auto& [verification, method] = cases_[k];
+    VerifySettings settings;
+    settings.method = method;
+    settings.effort = effort_;
+    settings.threads = threads_;
+    settings.again = options_.again;
+    settings.folder = options_.folder;
+    settings.on_progress = [this, k](double share) {
+      if (stop_) throw Stopped();
+      tell(k, share);
+    };
+    std::optional<VerifyRecord> record;
+    if (!options_.again) record = read_record(options_.folder, verification->name, method, effort_);
+    if (!record || !record->is_current) {
+      settings.on_progress(0);
+      record = run_verification(*verification, settings);
+      write_record(*record, options_.folder);
+    }
+    const std::lock_guard lock(output_);
+    running_.erase(k);
+    clear_line();
+    fmt::print("{}\n", text_of(*record));
+    std::fflush(stdout);
+    ++finished_;
+    passed_ += record->holds() ? 1 : 0;
+  }
+
+  /// One line with all that runs.
+  void tell(std::size_t k, double share) {
+    const std::lock_guard lock(output_);
+    running_[k] = share;
+    if (!is_terminal(stderr)) return;
+    std::vector<std::string> parts;
+    for (const auto& [of, part] : running_)
+      parts.push_back(fmt::format("{} {:3.0f} %", cases_[of].name(), 100 * part));
+    clear_line();
+    fmt::print(stderr, "{}", fmt::join(parts, ", "));
+  }
+
+  static void clear_line() {
+    if (is_terminal(stderr)) fmt::print(stderr, "\r\033[K");
+  }
+
+  const VerifyOptions& options_;
+  Effort effort_;
+  const std::atomic<bool>& stop_;
+  std::vector<Chosen> cases_;
+  int threads_ = 1;  // of a case
+  std::atomic<std::size_t> next_ = 0;
+  std::atomic<bool> was_stopped_ = false;
+  std::mutex output_;
+  std::map<std::size_t, double> running_;  // share that is done
+  std::size_t finished_ = 0, passed_ = 0;
+};
 
 int verify(const VerifyOptions& options) {
   if (options.names.empty() && !options.all) {
@@ -90,37 +174,13 @@ int verify(const VerifyOptions& options) {
   const Effort effort = options.quick      ? Effort::quick
                         : options.extended ? Effort::extended
                                            : Effort::full;
-  std::ptrdiff_t run_count = 0, passed = 0;
-  bool was_stopped = false;
-  for (const auto& [verification, method] : chosen(options)) {
-    VerifySettings settings;
-    settings.method = method;
-    settings.effort = effort;
-    settings.threads = options.threads;
-    settings.again = options.again;
-    settings.folder = options.folder;
-    std::optional<VerifyRecord> record;
-    if (!options.again) record = read_record(options.folder, verification->name, method, effort);
-    try {
-      if (!record || !record->is_current) {
-        record = run(*verification, settings, stop);
-        write_record(*record, options.folder);
-      }
-    } catch (const Stopped&) {
-      clear_line();
-      was_stopped = true;
-      break;
-    }
-    fmt::print("{}\n", text_of(*record));
-    std::fflush(stdout);
-    ++run_count;
-    passed += record->holds() ? 1 : 0;
-  }
+  CaseRuns runs(options, effort, stop);
+  runs.carry_out();
   // The page also has what earlier calls left in the folder.
   const auto page = write_verify_page(read_records(options.folder, effort), options.folder);
-  fmt::print("{} of {} cases pass. Open {}\n", passed, run_count, page.string());
-  if (was_stopped) return exit_stopped;
-  return passed == run_count ? exit_done : exit_run_failed;
+  fmt::print("{} of {} cases pass. Open {}\n", runs.passed(), runs.finished(), page.string());
+  if (runs.was_stopped()) return exit_stopped;
+  return runs.passed() == runs.finished() ? exit_done : exit_run_failed;
 }
 
 }  // namespace
@@ -140,7 +200,10 @@ void add_verify_command(CLI::App& program, Action& action) {
                     "run cases again of which the folder has a result of this very program");
   command->add_option("--method", options->method, "default: each that a case is for")
       ->type_name(fmt::format("{}", fmt::join(Words<Method>::list, "|")));
-  command->add_option("--threads", options->threads, "number of threads; default: all")
+  command
+      ->add_option("--threads", options->threads,
+                   "number of threads, shared out among the cases, which run side by side; "
+                   "default: all")
       ->type_name("N")
       ->check(CLI::Range(1, 1024).description(""));
   command->add_option("-o,--output", options->folder, "folder of the results; default: sabo-verify")
