@@ -13,9 +13,11 @@ SectionSlab::SectionSlab(Polyline line, double spacing, double reference_density
       density_(reference_density) {}
 
 SectionState SectionSlab::measure(const Surface& ground, const Particles& particles) const {
-  const double half = 2 * spacing_, strip = 2 * spacing_;
-  const auto strips = static_cast<std::size_t>(std::ceil(length_ / strip));
-  std::vector<double> volume_of_strip(std::max<std::size_t>(strips, 1), 0.0);
+  const double half = 2 * spacing_;
+  // As many as come nearest to two spacings each.
+  const double strips = std::max(1.0, std::round(length_ / (2 * spacing_)));
+  const double strip = length_ / strips;
+  std::vector<double> volume_of_strip(static_cast<std::size_t>(strips), 0.0);
   SectionState state;
   double volume = 0, transport = 0;
   for (std::size_t i = 0; i < particles.size(); ++i) {
@@ -40,7 +42,7 @@ SectionState SectionSlab::measure(const Surface& ground, const Particles& partic
   state.area = volume / (2 * half);
   state.mean_speed = volume > 0 ? transport / volume : 0;
   for (const double in_strip : volume_of_strip)
-    state.depth = std::max(state.depth, in_strip / (2 * half * std::min(strip, length_)));
+    state.depth = std::max(state.depth, in_strip / (2 * half * strip));
   for (std::size_t k = 0; k < state.layers.size(); ++k) {
     SectionState::Layer& layer = state.layers[k];
     layer.height = (static_cast<double>(k) + 0.5) * spacing_;

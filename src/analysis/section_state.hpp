@@ -11,7 +11,7 @@ namespace sabo {
 /// What flows through a section at one moment, from the particles in a slab about it.
 struct SectionState {
   double area = 0;            ///< of the flow across the section, m2
-  double depth = 0;           ///< greatest, over a width of two spacings, m
+  double depth = 0;           ///< greatest, over a width of about two spacings, m
   double mean_speed = 0;      ///< through the section, by volume; left to right is positive, m/s
   double greatest_speed = 0;  ///< of a particle through the section, either way, m/s
 

@@ -43,6 +43,12 @@ TEST(SectionState, IsThatOfTheChannel) {
   EXPECT_NEAR(state.layers[1].speed, -3, 1e-9);
 }
 
+// 2.5 m are three strips of 0.83 m, in the last of which are two rows of the flow, 1 m wide.
+TEST(SectionState, FindsTheDepthAtTheEndOfALineToo) {
+  const SectionSlab slab(Polyline{{{10, 5.5, 0}, {10, 3, 0}}, false}, slab_spacing, density);
+  EXPECT_NEAR(slab.measure(level_ground(), channel_flow()).depth, 1.2, 1e-9);
+}
+
 TEST(SectionState, TurnsItsSignWithTheLine) {
   const SectionSlab slab(Polyline{{{10, 0, 0}, {10, 4, 0}}, false}, slab_spacing, density);
   EXPECT_NEAR(slab.measure(level_ground(), channel_flow()).mean_speed, 2, 1e-9);
