@@ -54,7 +54,7 @@ class ArchiveWriter {
   /// A name that the reader must find in the same place.
   void mark(std::string_view name) { put_text(archive_kind::mark, name); }
 
-  /// A list whose length the reader knows before.
+  /// A list whose length the reader knows already: it reads into the entries that are there.
   template <class List>
   void fixed(List& list) {
     put(list);

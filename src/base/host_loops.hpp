@@ -46,8 +46,7 @@ class ThrownInside {
   std::exception_ptr thrown_;
 };
 
-/// The same for few things, each of which takes long and may throw: of what is thrown, one comes
-/// out.
+/// over() for few things, each of which takes long and may throw; one of the exceptions comes out.
 template <class F>
 void over_few(std::size_t count, int threads, const F& f) {
   ThrownInside thrown;

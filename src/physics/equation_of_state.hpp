@@ -30,10 +30,10 @@ struct Tait {
   /// Elastic energy, J/kg, zero at rho0: the integral of p / rho^2 from rho0 to rho > 0, which is
   /// what the pressure forces of Eq. 13 take from the motion. With x = rho/rho0,
   ///   p / rho^2 d rho = c0^2/7 (x^5 - 1/x^2) dx,   whose integral from 1 is
-  ///   c0^2/7 ((x^6 - 1)/6 + 1/x - 1) = c0^2 (x - 1)^2 (x^5 + 2x^4 + 3x^3 + 4x^2 + 5x + 6) / (42
-  ///   x).
-  /// The factored form keeps the digits that the other cancels; for x -> 1 it is c0^2 (x - 1)^2 /
-  /// 2, that of a linear spring.
+  ///   c0^2/7 ((x^6 - 1)/6 + 1/x - 1)
+  ///   = c0^2 (x - 1)^2 (x^5 + 2x^4 + 3x^3 + 4x^2 + 5x + 6) / (42 x).
+  /// The factored form keeps the digits that the other cancels; for x -> 1 it is that of a linear
+  /// spring, c0^2 (x - 1)^2 / 2.
   SABO_HD constexpr double elastic_energy(double rho) const {
     const double x = rho / rho0;
     const double strain = (rho - rho0) / rho0;

@@ -36,7 +36,8 @@ struct MohrCoulomb {
     return (1 - pore_pressure_ratio) * (p > 0 ? p : 0);
   }
 
-  /// Yield stress at pressure p, Pa; suction adds nothing.
+  /// Yield stress at pressure p, Pa; suction adds nothing. `slope_value` is slope(), which is the
+  /// same for all particles.
   SABO_HD double operator()(double p, double slope_value) const {
     return cohesion + slope_value * (p > 0 ? p : 0);
   }

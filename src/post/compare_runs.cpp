@@ -27,6 +27,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr double same_end = 0.01;  // share of the time of the flow by which two ends may differ
+
 PageTable quantity_table(const FinishedRun& a, const FinishedRun& b) {
   PageTable table{"Key quantities", {"quantity", "a", "b", "b - a", "change [%]"}, {}};
   for (const QuantityPair& pair : paired_quantities(a, b)) {
@@ -60,7 +62,9 @@ class RunComparison {
         names_(names_of(runs)),
         folder_(folder),
         ground_(runs[0].ground()),
-        lines_(lines_of(runs)) {}
+        lines_(lines_of(runs)) {
+    note_ends();
+  }
 
   PostResult carry_out() {
     compare_footprints();
@@ -95,6 +99,14 @@ class RunComparison {
       }
     }
     return lines;
+  }
+
+  /// Deposits of two moments are no comparison of two cases.
+  void note_ends() {
+    const std::optional<double> a = a_.simulated(), b = b_.simulated();
+    if (a && b && std::abs(*a - *b) > same_end * std::max(*a, *b))
+      notes_.push_back(
+          fmt::format("the runs end at different times, a at {:.1f} s and b at {:.1f} s", *a, *b));
   }
 
   Raster b_on_a(const RunMap& a) {

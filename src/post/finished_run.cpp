@@ -54,6 +54,10 @@ std::string FinishedRun::version() const {
   return text_at(table("run"), "version").value_or("unknown");
 }
 
+std::optional<double> FinishedRun::simulated() const {
+  return number_at(table("run"), "simulated_s");
+}
+
 double FinishedRun::wet_depth() const { return sabo::wet_depth(case_.numerics.spacing); }
 
 bool FinishedRun::has_map(std::string_view name) const {

@@ -44,6 +44,8 @@ class FinishedRun {
   /// How it ended: "finished", "interrupted", ...
   std::string end() const;
   std::string version() const;
+  /// Time of the flow at its end, s, where the manifest says it.
+  std::optional<double> simulated() const;
 
   /// As far as its file can be read; see case_problem().
   const Case& run_case() const { return case_; }

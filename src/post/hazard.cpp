@@ -14,6 +14,7 @@
 #include <fmt/ranges.h>
 
 #include "analysis/hazard_map.hpp"
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "io/case_file/key_text.hpp"
@@ -89,8 +90,8 @@ class HazardStudy {
 
     IndexPage page;
     page.title = rules_.name;
-    page.subtitle = fmt::format("sabo {} · classes of {} run{}", build_version, runs_.size(),
-                                runs_.size() == 1 ? "" : "s");
+    page.subtitle =
+        fmt::format("sabo {} · classes of {}", build_version, counted(runs_.size(), "run"));
     page.note = runs_.front().run_case().note;
     page.warning = rules_.caution;
     for (std::size_t k = 0; k < runs_.size(); ++k) page.facts.emplace_back("Run", run_text(k));
@@ -216,14 +217,26 @@ void check_periods(const HazardOptions& options, const HazardRules& rules) {
     throw CaseError("--periods", fmt::format("the rules \"{}\" have no matrix", rules.name),
                     "leave out --periods, or add [matrix] to the rules");
   if (options.return_periods.size() != options.runs.size())
-    throw CaseError("--periods",
-                    fmt::format("{} return periods for {} runs", options.return_periods.size(),
-                                options.runs.size()),
-                    "give one for each run, in their order");
+    throw CaseError(
+        "--periods",
+        fmt::format("{} for {}", counted(options.return_periods.size(), "return period"),
+                    counted(options.runs.size(), "run")),
+        "give one for each run, in their order");
   for (const double years : options.return_periods)
     if (!(years > 0 && std::isfinite(years)))
       throw CaseError("--periods", fmt::format("{} is no return period", years),
                       "give years above 0");
+}
+
+/// By another name too.
+void refuse_twice(const std::vector<fs::path>& runs) {
+  for (std::size_t b = 1; b < runs.size(); ++b) {
+    for (std::size_t a = 0; a < b; ++a) {
+      std::error_code error;
+      if (fs::equivalent(runs[a], runs[b], error))
+        throw CaseError(runs[b].string(), "is given twice", "name each run once");
+    }
+  }
 }
 
 }  // namespace
@@ -248,6 +261,7 @@ PostResult hazard_maps(const HazardOptions& options) {
   const HazardRules rules = read_hazard_rules(text, options.rules, faults);
   faults.throw_if_any();
   check_periods(options, rules);
+  refuse_twice(options.runs);
   std::vector<FinishedRun> runs;
   for (const fs::path& run : options.runs) runs.emplace_back(run);
   HazardStudy study(rules, runs, options.return_periods);

@@ -6,9 +6,7 @@ namespace sabo {
 namespace {
 
 /// The scene's frame is the CRS minus a whole-number origin.
-Vec3d back(const Frame& frame, const Vec3d& x) {
-  return x + Vec3d{frame.origin_x, frame.origin_y, 0};
-}
+Vec3d back(const Frame& frame, const Vec3d& x) { return x + frame.origin(); }
 
 void move_back(const Frame& frame, std::vector<Vec3d>& vertices) {
   for (Vec3d& vertex : vertices) vertex = back(frame, vertex);

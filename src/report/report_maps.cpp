@@ -26,10 +26,6 @@ MapPicture picture_of(Report& report, const MapStyle& style) {
   return map;
 }
 
-double wet_depth_of(const RunRecord& run) {
-  return run.described() ? wet_depth(run.described()->numerics.spacing) : 0.05;
-}
-
 MapLine frame_of(const MapView& view) {
   return {MapLine::Kind::edit,
           "",
@@ -63,6 +59,10 @@ std::optional<ScaleTop> top_without_outliers(const Raster& raster, const MapStyl
 bool same_grid(const Raster& a, const Raster& b) { return a.grid == b.grid; }
 
 }  // namespace
+
+double wet_depth_of(const RunRecord& run) {
+  return run.described() ? wet_depth(run.described()->numerics.spacing) : 0.05;
+}
 
 MapView view_of_flow(RunRecord& run) {
   const MapRecord* depth = run.map("pfd");

@@ -5,16 +5,12 @@
 #include "report/report_parts.hpp"
 
 #include "io/output/map_picture.hpp"
+#include "io/output/map_style.hpp"
 
 namespace sabo {
 
-/// How a map of the run is shown in the report.
-struct MapStyle {
-  std::string title;
-  std::string quantity;  ///< with its unit
-  double threshold = 0;  ///< smaller values are left out
-  std::vector<ColourStep> steps = {};
-};
+/// Depth above which the run counted a cell as wet, m.
+double wet_depth_of(const RunRecord& run);
 
 /// Part of the map that the flow has touched, with some room around it.
 MapView view_of_flow(RunRecord& run);

@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "analysis/resolution.hpp"
 #include "base/parsed_number.hpp"
 #include "run/amount_text.hpp"
 #include "run/load_case.hpp"
@@ -25,6 +26,17 @@ std::string data_line(const Report& report, std::initializer_list<std::string_vi
   for (const std::string_view file : files)
     list += fmt::format("{}{}", list.empty() ? "" : ", ", file);
   return report.say("page.data", list);
+}
+
+void tell_resolution(Report& report, double median, bool praises) {
+  const auto& [run, other, say, page, sharpness] = report;
+  const std::string layers = fixed(median, 1);
+  if (median < ResolutionGuard::enough_layers)
+    page.notice(Tone::alarm, say("resolution.coarse"), say("resolution.coarse_means", layers));
+  else if (median < ResolutionGuard::good_layers)
+    page.notice(Tone::caution, say("resolution.barely"), say("resolution.barely_means", layers));
+  else if (praises)
+    page.notice(Tone::good, say("resolution.good"), say("resolution.good_means", layers));
 }
 
 void tell_missing(Report& report, const std::string& file) {

@@ -48,6 +48,10 @@ void add_files(Report& report);
 /// "Data: series/front.csv", with what to look for there.
 std::string data_line(const Report& report, std::initializer_list<std::string_view> files);
 
+/// Whether particles resolve the flow, by its median greatest depth (particles); says nothing of a
+/// flow that they do unless `praises`.
+void tell_resolution(Report& report, double median, bool praises);
+
 /// Says that a section has nothing to show for want of a file.
 void tell_missing(Report& report, const std::string& file);
 

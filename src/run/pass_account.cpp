@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "base/counted.hpp"
 #include "io/case_file/toml_string.hpp"
 
 namespace sabo {
@@ -52,8 +53,9 @@ std::string solver_toml(const SolverTotals& totals) {
 
 std::string solver_text(const SolverTotals& totals) {
   const double rate = totals.steps_per_second();
-  std::string text = fmt::format("{} steps of {:.3g} ms in the mean, {:.{}f} steps/s", totals.steps,
-                                 1e3 * totals.mean_dt(), rate, rate < 10 ? 2 : 0);
+  std::string text =
+      fmt::format("{} of {:.3g} ms in the mean, {:.{}f} steps/s", counted(totals.steps, "step"),
+                  1e3 * totals.mean_dt(), rate, rate < 10 ? 2 : 0);
   if (totals.iterations > 0)
     text +=
         fmt::format(", {:.1f} iterations of the viscous solve a step", totals.mean_iterations());

@@ -12,10 +12,12 @@
 #include "analysis/resolution.hpp"
 #include "analysis/zone.hpp"
 #include "backend/cuda/graphics_card.hpp"
+#include "base/counted.hpp"
 #include "case/material_presets.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
 #include "math/angle.hpp"
+#include "physics/shear_state.hpp"
 #include "physics/viscosity_of_concentration.hpp"
 #include "run/amount_text.hpp"
 #include "run/memory_estimate.hpp"
@@ -57,28 +59,27 @@ void tell_terrain(Preview& preview, const Scene& scene) {
   for (const std::string& note : scene.dem_notes) preview.line("Terrain", note);
   const HoleReport& holes = scene.holes;
   if (holes.holes_filled > 0) {
-    preview.line("Terrain", fmt::format("holes filled: {} with {} cells", holes.holes_filled,
-                                        holes.cells_filled));
+    preview.line("Terrain", fmt::format("{} filled, with {}", counted(holes.holes_filled, "hole"),
+                                        counted(holes.cells_filled, "cell")));
   }
   if (holes.border_cells_left > 0) {
     preview.line("Terrain",
-                 fmt::format("{} cells without data at the border", holes.border_cells_left));
+                 counted(holes.border_cells_left, "cell") + " without data at the border");
   }
   if (holes.holes_left > 0) {
     preview.warn(fmt::format(
-        "{} holes of the DEM with {} cells are too large to fill (terrain.fill_holes): what flows "
-        "into them leaves the domain",
-        holes.holes_left, holes.enclosed_cells_left));
+        "too large to fill (terrain.fill_holes): {} of the DEM with {}; what flows there leaves "
+        "the domain",
+        counted(holes.holes_left, "hole"), counted(holes.enclosed_cells_left, "cell")));
   }
 }
 
 void tell_edits(Preview& preview, const Scene& scene) {
   for (const MadeEdit& edit : scene.edits) {
     const EditReport& report = edit.report;
-    preview.line("Edits",
-                 fmt::format("{}: {} cells, {:.0f} m3 cut, {:.0f} m3 filled, by up to "
-                             "{:.2f} m",
-                             report.name, report.cells, report.cut, report.fill, report.greatest));
+    preview.line("Edits", fmt::format("{}: {}, {:.0f} m3 cut, {:.0f} m3 filled, by up to {:.2f} m",
+                                      report.name, counted(report.cells, "cell"), report.cut,
+                                      report.fill, report.greatest));
   }
   if (scene.lost) {
     preview.line("Edits", fmt::format("the ground under the release is lowered to dem_after: "
@@ -191,7 +192,29 @@ void tell_paper_step(Preview& preview, const Case& c, const FlowModel& model) {
                            count_text(std::ceil(c.run.duration / step.dt)), c.run.duration));
 }
 
-void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
+/// A fluid carries no more of the friction of the ground than its viscosity does over half a
+/// spacing: a thin one hardly feels it.
+void warn_of_a_weak_wall(Preview& preview, const Case& c, const FlowModel& model, double depth) {
+  if (c.numerics.wall != WallLaw::coulomb && c.numerics.wall != WallLaw::voellmy) return;
+  const double g = c.numerics.gravity, density = c.material.density;
+  const double speed = std::sqrt(2 * g * depth), rate = speed / (model.spacing / 2);
+  const double pressure = density * g * depth;
+  const WallContact at{speed, model.yield.effective_pressure(pressure), density, g,
+                       std::numeric_limits<double>::infinity()};
+  const double asked =
+      speed * std::visit([&](const auto& wall) { return wall.resistance(at); }, model.wall);
+  const auto carried = [&]<class Law>(const Law& law) {
+    return rate * law.viscosity(shear_state<Law>(rate, pressure, model.yield, model.yield.slope()));
+  };
+  const double most = std::visit(carried, model.rheology);
+  if (most >= asked / 2) return;
+  preview.warn(fmt::format(
+      "wall = \"{}\" asks for {:.2g} kPa under {:.2g} m of flow at {:.2g} m/s; this material "
+      "carries {:.2g} kPa of it at this spacing (docs/method.md): it will run too far",
+      word_of(c.numerics.wall), asked / 1e3, depth, speed, most / 1e3));
+}
+
+void tell_numerics(Preview& preview, const Case& c, const FlowModel& model, double depth) {
   const double stiffest =
       std::visit([](const auto& law) { return law.max_viscosity(); }, c.material.law);
   preview.line("Material", fmt::format("{}, {:g} kg/m3, at most {:.3g} Pa s",
@@ -203,6 +226,7 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model) {
     tell_fast_step(preview, c, model);
   else
     tell_paper_step(preview, c, model);
+  warn_of_a_weak_wall(preview, c, model, depth);
 }
 
 void tell_card_memory(Preview& preview, Method method, std::size_t particles,
@@ -240,7 +264,7 @@ std::string preview_text(const Case& c, const Scene& scene, const std::string& t
                            count_text(expected_boundary(model, particles))));
   tell_structures(preview, c, scene, model);
   tell_lines(preview, c, scene);
-  tell_numerics(preview, c, model);
+  tell_numerics(preview, c, model, scene.greatest_depth());
   preview.line("Memory", fmt::format("about {:.0f} MB",
                                      expected_memory(model, c.numerics.method, particles,
                                                      scene.surface->elevation().grid.size()) /

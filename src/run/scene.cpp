@@ -51,7 +51,7 @@ void add_gauges(const GaugeCase& gauge, const std::string& key, Scene& scene) {
   if (gauge.place) places = {{(*gauge.place)[0], (*gauge.place)[1], 0}};
   if (!gauge.file.empty()) places = read_points(gauge.file, scene.frame.crs, key + ".file");
   for (std::size_t k = 0; k < places.size(); ++k) {
-    Vec3d place = moved(scene.frame, places[k]);
+    Vec3d place = in_frame(scene.frame, places[k]);
     const std::string name =
         places.size() > 1 ? fmt::format("{} {}", gauge.name, k + 1) : gauge.name;
     if (!scene.surface->inside(place.x, place.y))
@@ -77,7 +77,7 @@ void check_names(const Scene& scene, Faults& faults) {
   };
   for (const CheckDam& dam : scene.dams) check(dam.name);
   for (const Body& body : scene.bodies) check(body.name());
-  if (names.size() > std::numeric_limits<std::uint16_t>::max())  // of Particles::body
+  if (names.size() > most_bodies)
     faults.add("structure", fmt::format("there are {} structures and bodies", names.size()),
                "leave out those that the flow does not reach");
 }
@@ -108,6 +108,15 @@ bool collected(Faults& faults, const std::function<void()>& part) {
     for (const Fault& fault : error.faults()) faults.add(fault.place, fault.problem, fault.remedy);
     return false;
   }
+}
+
+bool Scene::is_solid(const Vec3d& place) const {
+  const auto holds_it = [&](const auto& solid) { return solid.contains(place); };
+  return std::ranges::any_of(dams, holds_it) || std::ranges::any_of(bodies, holds_it);
+}
+
+int Scene::side_of_release(const CheckDam& dam) const {
+  return project(dam.axis, release_centre.x, release_centre.y).offset < 0 ? -1 : 1;
 }
 
 double Scene::greatest_depth() const {

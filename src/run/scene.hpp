@@ -69,6 +69,7 @@ struct Scene {
   std::vector<InflowPlan> inflows;
   Particles release;            ///< at rest, at the density of a column at rest; may be empty
   double release_volume = 0;    ///< m3
+  double release_area = 0;      ///< in plan, m2
   double release_left_out = 0;  ///< m3 that would stand inside structures and bodies
   double release_depth = 0;     ///< greatest, m
   Vec3d release_centre;         ///< without a release, where the largest inflow comes in
@@ -77,6 +78,10 @@ struct Scene {
   std::span<const CheckDam> check_dams() const {
     return std::span(dams).first(dams.size() - deflection_walls);
   }
+  /// Whether a place is in a dam or body.
+  bool is_solid(const Vec3d& place) const;
+  /// On which side of a dam the release is: 1 to the left of its axis, -1 to the right.
+  int side_of_release(const CheckDam& dam) const;
   /// Greatest depth of the release and of the inflows at their line, m.
   double greatest_depth() const;
   /// Particles of the release, and of the inflows until a time (s).

@@ -11,18 +11,17 @@
 namespace sabo {
 
 /// A point of the CRS in the solver frame.
-inline Vec3d moved(const Frame& frame, const Vec3d& x) {
-  return x - Vec3d{frame.origin_x, frame.origin_y, 0};
-}
+inline Vec3d in_frame(const Frame& frame, const Vec3d& x) { return x - frame.origin(); }
 
-inline void move(const Frame& frame, Grid& grid) {
+/// From coordinates of the CRS.
+inline void to_frame(const Frame& frame, Grid& grid) {
   grid.west -= frame.origin_x;
   grid.north -= frame.origin_y;
 }
 
-inline void move(const Frame& frame, Polygon& polygon) {
+inline void to_frame(const Frame& frame, Polygon& polygon) {
   for (std::vector<Vec3d>& ring : polygon.rings)
-    for (Vec3d& vertex : ring) vertex = moved(frame, vertex);
+    for (Vec3d& vertex : ring) vertex = in_frame(frame, vertex);
 }
 
 /// The one line that a key of the case names, in the solver frame. Throws CaseError at the key,

@@ -1,7 +1,6 @@
 #include "run/scene_record.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include <fmt/format.h>
@@ -37,8 +36,7 @@ Raster release_depth(const Case& c, const Scene& scene) {
 std::vector<MapLine> plan_lines(const Scene& scene) {
   std::vector<MapLine> lines = overlay(scene, DamLine::whole);
   for (MapLine& line : lines)
-    for (Vec3d& vertex : line.line.vertices)
-      vertex += Vec3d{scene.frame.origin_x, scene.frame.origin_y, 0};
+    for (Vec3d& vertex : line.line.vertices) vertex += scene.frame.origin();
   for (const CheckDam& dam : scene.dams) {
     const auto line = std::ranges::find_if(lines, [&](const MapLine& candidate) {
       return candidate.kind == MapLine::Kind::dam && candidate.label == dam.name;
@@ -74,10 +72,7 @@ void write_scene_record(const Case& c, const Scene& scene, const RunFolder& fold
 }
 
 std::string scene_toml(const Case& c, const Scene& scene) {
-  const Raster depth = release_depth(c, scene);
-  const double threshold = wet_depth(c.numerics.spacing);
-  const auto wet = std::ranges::count_if(depth.values, [&](double d) { return d > threshold; });
-  const double area = static_cast<double>(wet) * depth.grid.cell_area();
+  const double area = scene.release_area;
   std::string notes;
   for (const std::string& note : scene.dem_notes)
     notes += (notes.empty() ? "" : ", ") + toml_string(note);

@@ -16,7 +16,7 @@
 #include "run/scene_lines.hpp"
 #include "solver/flow_model.hpp"
 #include "terrain/jitter.hpp"
-#include "terrain/prism_mesh.hpp"
+#include "terrain/polygon_checks.hpp"
 #include "terrain/release.hpp"
 
 namespace sabo {
@@ -45,7 +45,7 @@ std::vector<ThickPolygon> read_thick_polygons(const ReleaseCase& release, const 
                                   release.thickness_attribute, valued.value),
                       "give a thickness above 0, in m");
     }
-    move(frame, valued.polygon);
+    to_frame(frame, valued.polygon);
     thick.push_back({std::move(valued.polygon), valued.value});
   }
   return thick;
@@ -66,7 +66,7 @@ ReleaseShape polygon_shape(const ReleaseCase& release, const Frame& frame) {
 ReleaseShape raster_shape(const Case& c, const Frame& frame) {
   Raster thickness = read_thickness(
       c.release.thickness_raster, {"release.thickness_raster", frame.crs, c.terrain.assume_metres});
-  move(frame, thickness.grid);
+  to_frame(frame, thickness.grid);
   return release_of(std::move(thickness));
 }
 
@@ -79,19 +79,41 @@ ReleaseShape release_shape(const Case& c, const Scene& scene) {
 }
 
 Bounds box_of(const std::array<double, 6>& box, const Frame& frame) {
-  return {moved(frame, {box[0], box[1], box[2]}), moved(frame, {box[3], box[4], box[5]})};
+  return {in_frame(frame, {box[0], box[1], box[2]}), in_frame(frame, {box[3], box[4], box[5]})};
 }
 
-Particles released_by(const Case& c, const Scene& scene) {
-  const ReleaseSettings settings{c.numerics.spacing, c.material.density, scene.frame};
-  if (c.release.box)
-    return released_box(*scene.surface, box_of(*c.release.box, scene.frame), scene.bodies,
-                        settings);
-  if (c.release.points.empty()) return released(*scene.surface, release_shape(c, scene), settings);
+/// Places in plan at which particles stand.
+std::size_t columns_of(const Particles& particles) {
+  std::vector<std::pair<double, double>> columns;
+  for (const Vec3d& x : particles.position) columns.emplace_back(x.x, x.y);
+  std::ranges::sort(columns);
+  return static_cast<std::size_t>(std::ranges::unique(columns).begin() - columns.begin());
+}
+
+/// Particles, and what each of their columns stands for in plan.
+struct Placed {
+  Particles particles;
+  double column_area = 0;  // m2
+};
+
+Placed released_by(const Case& c, const Scene& scene) {
+  const double spacing = c.numerics.spacing;
+  const ReleaseSettings settings{spacing, c.material.density, scene.frame};
+  if (c.release.box) {
+    const Bounds box = box_of(*c.release.box, scene.frame);
+    const BoxColumns columns = box_columns(box, spacing);
+    return {released_box(*scene.surface, box, scene.bodies, settings), columns.dx * columns.dy};
+  }
+  if (c.release.points.empty()) {
+    const ReleaseShape shape = release_shape(c, scene);
+    Particles particles = released(*scene.surface, shape, settings);
+    const double area = shape.area / static_cast<double>(columns_of(particles));
+    return {std::move(particles), area};
+  }
   const auto& offset = c.release.points_offset;
   std::vector<Vec3d> points = read_points(c.release.points, Vec3d{offset[0], offset[1], offset[2]});
-  for (Vec3d& point : points) point = moved(scene.frame, point);
-  return released(*scene.surface, points, c.release.point_volume, settings);
+  for (Vec3d& point : points) point = in_frame(scene.frame, point);
+  return {released(*scene.surface, points, c.release.point_volume, settings), spacing * spacing};
 }
 
 /// Gives the fluid of a box the pressure under its level surface.
@@ -137,13 +159,10 @@ void make_hydrostatic(const Case& c, Scene& scene) {
 
 /// Whether a particle would stand in a structure or body, or with a quarter of it in one.
 bool is_in_solid(const Scene& scene, const Vec3d& x, double spacing) {
-  const auto is_in_one = [&](const Vec3d& place) {
-    const auto holds_it = [&](const auto& solid) { return solid.contains(place); };
-    return std::ranges::any_of(scene.dams, holds_it) || std::ranges::any_of(scene.bodies, holds_it);
-  };
   const double reach = spacing / 4;
-  return is_in_one(x) || is_in_one(x + Vec3d{reach, 0, 0}) || is_in_one(x - Vec3d{reach, 0, 0}) ||
-         is_in_one(x + Vec3d{0, reach, 0}) || is_in_one(x - Vec3d{0, reach, 0});
+  return scene.is_solid(x) || scene.is_solid(x + Vec3d{reach, 0, 0}) ||
+         scene.is_solid(x - Vec3d{reach, 0, 0}) || scene.is_solid(x + Vec3d{0, reach, 0}) ||
+         scene.is_solid(x - Vec3d{0, reach, 0});
 }
 
 /// A mass has no place inside of structures.
@@ -178,8 +197,10 @@ void summarise(const Case& c, Scene& scene) {
 }  // namespace
 
 void read_release(const Case& c, Scene& scene) {
-  scene.release = released_by(c, scene);
+  Placed placed = released_by(c, scene);
+  scene.release = std::move(placed.particles);
   if (!scene.dams.empty() || !scene.bodies.empty()) leave_out_of_solids(c, scene);
+  scene.release_area = placed.column_area * static_cast<double>(columns_of(scene.release));
   summarise(c, scene);
   c.release.box ? make_level_hydrostatic(c, scene) : make_hydrostatic(c, scene);
   // Last, so that path, sound speed and densities are the same for every seed.

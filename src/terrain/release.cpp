@@ -61,7 +61,7 @@ void for_each_column(const ReleaseShape& shape, double spacing, Visit&& visit) {
   }
 }
 
-/// What each particle stands for is in any unit: `shares` of the volume.
+/// `shares`: what each particle stands for, in any unit; the volume is shared out by them.
 Particles at_rest(std::vector<Vec3d> positions, const std::vector<double>& shares, double volume,
                   double density) {
   if (positions.empty()) {
@@ -128,8 +128,9 @@ void refuse_points_below(const Surface& surface, const std::vector<Vec3d>& point
 
 ReleaseShape release_of(std::vector<ThickPolygon> polygons) {
   constexpr double infinity = std::numeric_limits<double>::infinity();
-  ReleaseShape shape{{}, infinity, infinity, -infinity, -infinity, 0};
+  ReleaseShape shape{{}, infinity, infinity, -infinity, -infinity};
   for (const auto& [polygon, thickness] : polygons) {
+    shape.area += area(polygon);
     shape.volume += thickness * area(polygon);
     for (const std::vector<Vec3d>& ring : polygon.rings) {
       for (const Vec3d& vertex : ring) {
@@ -155,9 +156,10 @@ ReleaseShape release_of(std::vector<ThickPolygon> polygons) {
 
 ReleaseShape release_of(Raster thickness) {
   const Grid grid = thickness.grid;
-  ReleaseShape shape{{}, grid.west, grid.south(), grid.east(), grid.north, 0};
+  ReleaseShape shape{{}, grid.west, grid.south(), grid.east(), grid.north};
   for (double& value : thickness.values) {
     if (!(value > 0 && std::isfinite(value))) value = 0;
+    shape.area += value > 0 ? grid.cell_area() : 0;
     shape.volume += value * grid.cell_area();
   }
   if (!(shape.volume > 0)) {
@@ -236,22 +238,26 @@ Particles released(const Surface& surface, const std::vector<Vec3d>& points, dou
   return at_rest(sites_in_cubes(surface, points, side, spacing), volume, settings.density);
 }
 
+BoxColumns box_columns(const Bounds& box, double spacing) {
+  const Vec3d size = box.size();
+  const auto parts = [spacing](double length) {
+    return std::max<std::int64_t>(1, std::llround(length / spacing));
+  };
+  const std::int64_t x = parts(size.x), y = parts(size.y);
+  return {x, y, size.x / static_cast<double>(x), size.y / static_cast<double>(y)};
+}
+
 Particles released_box(const Surface& surface, const Bounds& box, const std::vector<Body>& bodies,
                        const ReleaseSettings& settings) {
   const double spacing = settings.spacing;
   const Vec3d size = box.size();
   refuse_unless_fits(size.x * size.y * size.z / (spacing * spacing * spacing), most_particles);
-  const auto parts = [spacing](double length) {
-    return std::max<std::int64_t>(1, std::llround(length / spacing));
-  };
   const auto is_free = [&](const Vec3d& place) {
     return std::none_of(bodies.begin(), bodies.end(), [&](const Body& body) {
       return body.contains(place) || body.distance().nearest(place, spacing / 4);
     });
   };
-  const std::int64_t columns = parts(size.x), rows = parts(size.y);
-  const double dx = size.x / static_cast<double>(columns);
-  const double dy = size.y / static_cast<double>(rows);
+  const auto [columns, rows, dx, dy] = box_columns(box, spacing);
   std::vector<Vec3d> positions;
   std::vector<double> steps;
   double volume = 0;

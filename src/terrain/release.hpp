@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct ReleaseShape {
   std::function<double(double x, double y)> thickness;  ///< vertical, m; 0 outside
   double west = 0, south = 0, east = 0, north = 0;      ///< rectangle that holds it
   double volume = 0;                                    ///< m3
+  double area = 0;                                      ///< in plan, m2
 };
 
 /// A polygon and the thickness over it, m.
@@ -59,6 +61,13 @@ Particles released(const Surface& surface, const ReleaseShape& shape,
 /// density; ids and errors as above.
 Particles released(const Surface& surface, const std::vector<Vec3d>& points, double point_volume,
                    const ReleaseSettings& settings);
+
+/// Columns that stand side by side in a box, about a spacing apart.
+struct BoxColumns {
+  std::int64_t count_x = 1, count_y = 1;
+  double dx = 0, dy = 0;  ///< sides of each in plan, m
+};
+BoxColumns box_columns(const Bounds& box, double spacing);
 
 /// Fills a box: columns in step with its sides, from its floor or the ground under it to its level
 /// top, the outermost half a step from the sides. Columns stand about a spacing apart so that they

@@ -116,6 +116,7 @@ ReleaseShape valley_release() {
   shape.south = -12 - source_half_width;  // 12: the widest swing of the axis
   shape.north = 12 + source_half_width;
   shape.volume = source_volume;
+  shape.area = source_length * 2 * source_half_width;
   return shape;
 }
 

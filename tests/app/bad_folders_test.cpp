@@ -96,7 +96,10 @@ TEST_F(BadInput, Checkpoints) {
       {"to branch from, without a time", ":", "branch", "sabo run . -o out --from run"},
       {"to branch from, with another spacing", ":", "spacing",
        "sabo run . -o out --branch-at 0.1 --from run --spacing 2"},
-      {"to branch from into itself", ":", "run", "sabo run . -o run --branch-at 0.1 --from run"},
+      {"to branch from into itself", ":", "output: is the run that this one starts from",
+       "sabo run . -o run --branch-at 0.1 --from run"},
+      {"to branch from and to overwrite", ":", "output: is the run that this one starts from",
+       "sabo run . -o ./run --overwrite --branch-at 0.1 --from run"},
   });
 }
 

@@ -26,7 +26,7 @@ to a result is in [method.md](method.md). The ground is `terrain.dem` or `terrai
 give a release choose one: `polygon`, `thickness_raster`, `points`, `box`, or `dem_before` with `dem_after`.
 Discharges that come in through lines, `[[inflow]]`, stand beside a release or in its place: each has a
 `hydrograph` or `[[inflow.surge]]`, and depth and speed at its line follow from a `froude` number unless a
-`speed` is given ([theory](theory.md)). A dam needs `crest`, `height` or a line with z.
+`speed` is given ([theory](theory.md)). A check dam or deflection wall needs a `thickness` and one of `crest`, `height` and a line with z.
 
 A structure is of one `kind`, whose keys say so. A slit with a sill is one more notch, one with a
 height a culvert. Openings should be four particles wide: `sabo check` says which spacing does it for

@@ -75,6 +75,15 @@ TEST(ClassMap, ClassesKeepNumbersColoursAndNames) {
   EXPECT_EQ(folder.file_count(), 2u) << "the raster and its names";
 }
 
+// Where a user has switched side files off, the names of classes are left out.
+TEST(ClassMap, IsWrittenWithoutSideFilesToo) {
+  const TemporaryFolder folder;
+  const CPLConfigOptionSetter no_side_files("GDAL_PAM_ENABLED", "NO", false);
+  write_class_raster(folder / "classes.tif", ring(), {{1, "weak", {1, 2, 3}}}, "", "what");
+  EXPECT_EQ(folder.file_count(), 1u);
+  EXPECT_EQ(RasterFile(folder / "classes.tif", "map").read().grid, ring().grid);
+}
+
 TEST(ClassMap, RefusesWhatIsNoNumberOfAClass) {
   const TemporaryFolder folder;
   for (const double wrong : {0.0, 1.5, 256.0, -1.0}) {

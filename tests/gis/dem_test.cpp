@@ -125,9 +125,9 @@ TEST_F(ReadDem, RefusesWhatIsNoMetricElevation) {
 
 TEST_F(ReadDem, NamesAnUndeclaredNodataValue) {
   const Fault wrong = fault({.values = {1, 2, -32768, 4, -32768, 6}});
-  EXPECT_THAT(wrong.problem, HasSubstr("2 cells like -32768 m"));
+  EXPECT_THAT(wrong.problem, HasSubstr("2 cells of -32768 m"));
   EXPECT_THAT(wrong.remedy, HasSubstr("-a_nodata -32768"));
-  EXPECT_THAT(fault({.values = {1, 2, -9999, 4, 5, 6}}).problem, HasSubstr("1 cells like -9999 m"));
+  EXPECT_THAT(fault({.values = {1, 2, -9999, 4, 5, 6}}).problem, HasSubstr("1 cell of -9999 m"));
 }
 
 TEST_F(ReadDem, RefusesFilesThatAreNoRasters) {

@@ -36,7 +36,7 @@ TEST(ReadHydrograph, SaysWhatIsWrongAndWhere) {
     const char* message;
   } cases[] = {{"", "q.csv is empty"},
                {"time,discharge\n", "has 0 rows"},
-               {"time,discharge\n0,1\n", "has 1 rows"},
+               {"time,discharge\n0,1\n", "has 1 row"},
                {"0,1\n1,2\n", "line 1: \"0\" is not a column of a hydrograph"},
                {"time,flow\n", "\"flow\" is not a column"},
                {"time,speed\n0,1\n", "has no column discharge"},

@@ -82,6 +82,20 @@ TEST_F(CompareRuns, AnotherGridIsResampledAndThatIsSaid) {
   EXPECT_EQ(map_of(folder_ / "out", "diff_dep").at(5, 5), 0) << "in the middle";
 }
 
+TEST_F(CompareRuns, SaysThatTheRunsEndAtDifferentTimes) {
+  MadeRun run;
+  run.simulated = 10.05;
+  run.write(folder_ / "near");
+  run.simulated = 7;
+  run.write(folder_ / "short");
+  EXPECT_THAT(compare_runs(folder_ / "with", folder_ / "near", folder_ / "out").summary,
+              Not(testing::Contains(HasSubstr("different times"))));
+  EXPECT_THAT(
+      compare_runs(folder_ / "with", folder_ / "short", folder_ / "out").summary,
+      testing::Contains("note: the runs end at different times, a at 10.0 s and b at 7.0 s"));
+  EXPECT_THAT(file_text(folder_ / "out/index.html"), HasSubstr("end at different times"));
+}
+
 TEST_F(CompareRuns, RefusesAnotherCoordinateSystemAndFoldersOfOthers) {
   MadeRun run;
   run.crs = wkt_of_test_crs();

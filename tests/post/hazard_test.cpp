@@ -82,8 +82,10 @@ TEST_F(Hazard, RefusesWhatDoesNotFit) {
   EXPECT_THAT(problem({{folder_ / "often"}, "swis", {}, ""}),
               HasSubstr("neither rules of the program nor a file"));
   EXPECT_THAT(problem({{folder_ / "often"}, "swiss", {30, 100}, ""}),
-              HasSubstr("2 return periods for 1 runs"));
+              HasSubstr("2 return periods for 1 run"));
   EXPECT_THAT(problem({{folder_ / "often"}, "japan", {30}, ""}), HasSubstr("have no matrix"));
+  EXPECT_THAT(problem({{folder_ / "often", folder_ / "." / "often"}, "japan", {}, ""}),
+              HasSubstr("is given twice"));
   EXPECT_THAT(problem({{folder_ / "often"}, "swiss", {0}, ""}), HasSubstr("no return period"));
   std::ofstream(folder_ / "flux.toml")
       << "name = \"a\"\nsource = \"b\"\n[[class]]\nname = \"c\"\ncolour = \"#112233\"\n"

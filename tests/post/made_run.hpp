@@ -45,15 +45,17 @@ struct MadeRun {
   std::function<double(double x, double y)> depth = [](double, double) { return 0.0; };
   double speed = 3;  ///< m/s, where there is depth
   std::string quantities = "\"front run-out [m]\" = 12\n\"peak discharge at s [m3/s]\" = 4\n";
+  double simulated = 10;  ///< s
   std::string keys = {};  ///< appended to the case
 
   void write(const std::filesystem::path& folder) const {
     std::filesystem::create_directories(folder / "maps");
     std::filesystem::create_directories(folder / "series");
-    put(folder / "manifest.toml",
-        "[run]\nend = \"finished\"\nversion = \"test\"\n\n[[volumes]]\nreleased = 100\n"
-        "\n[[load]]\nname = \"dam\"\npeak_force = 5000\n\n[quantities]\n" +
-            quantities);
+    put(folder / "manifest.toml", "[run]\nend = \"finished\"\nversion = \"test\"\nsimulated_s = " +
+                                      std::to_string(simulated) +
+                                      "\n\n[[volumes]]\nreleased = 100\n\n[[load]]\nname = "
+                                      "\"dam\"\npeak_force = 5000\n\n[quantities]\n" +
+                                      quantities);
     put(folder / "case.toml", case_text());
     put(folder / "series" / "front.csv",
         "time [s],position [m],displacement [m],velocity [m/s]\n0,1,0,0\n1,4,3,3\n");

@@ -203,6 +203,16 @@ TEST(Report, SetsAnotherRunBesideThisOne) {
   EXPECT_THAT(html, HasPiece("<td>Run-out of the front [m]</td><td>27.5</td><td>25</td><td>2.5</td>"
                              "<td>10.0 %</td>"));
   EXPECT_THAT(html, HasPiece("Discharge at s1"));
+  EXPECT_THAT(html, Not(HasPiece("end at different times")));
+}
+
+TEST(Report, SaysThatTheOtherRunEndsAtAnotherTime) {
+  const MadeRun run, other;
+  std::string manifest = MadeRun::manifest("finished", "");
+  manifest.replace(manifest.find("simulated_s = 2"), 15, "simulated_s = 9");
+  other.write("manifest.toml", manifest);
+  EXPECT_THAT(run.report(Language::en, other.root()),
+              HasPiece("end at different times: this run at 2.0 s, the other one at 9.0 s"));
 }
 
 TEST(Report, ShowsWhatOtherCommandsLeftInTheRun) {

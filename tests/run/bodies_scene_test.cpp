@@ -64,6 +64,7 @@ TEST(PlaneScene, ReleasesABoxUnderItsOwnPressure) {
   const Scene scene = world.make(pool);
   ASSERT_TRUE(world.faults.empty()) << world.messages().front();
   EXPECT_NEAR(scene.release_volume, 1, 1e-12);
+  EXPECT_NEAR(scene.release_area, 2, 1e-12);
   EXPECT_NEAR(scene.release_depth, 0.5, 1e-12);
   EXPECT_TRUE(scene.frame.crs.empty());
   const Tait state{1726, 10 * std::sqrt(9.81 * 0.5)};
@@ -125,6 +126,7 @@ TEST(BodiesScene, TheReleaseLeavesThemOut) {
   const Scene scene =
       world.make(pool + "[[body]]\nkind = \"box\"\nmin = [2, 1, 0]\nmax = [2.5, 1.5, 2]\n");
   EXPECT_NEAR(scene.release_volume, 1 - 0.125, 1e-9);
+  EXPECT_NEAR(scene.release_area, 2 - 0.25, 1e-9);
 }
 
 TEST(BodiesScene, RefusesOneInTheGround) {

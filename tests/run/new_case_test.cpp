@@ -66,7 +66,8 @@ TEST(NewCase, YohutagawaHasTheTerrainOfTheValley) {
 TEST(NewCase, YohutagawaReleasesThePublishedVolumeInTheSource) {
   const Scene& scene = example().scene;
   EXPECT_NEAR(scene.release_volume, 8863, 1e-6);
-  // The source reaches from x = 25 m over 8863 / (4/3 x 5 x 14) = 95 m.
+  // The source reaches from x = 25 m over 8863 / (4/3 x 5 x 14) = 95 m, 28 m wide.
+  EXPECT_NEAR(scene.release_area, 95 * 28, 0.02 * 95 * 28);
   EXPECT_NEAR(scene.release_centre.x, example().place(25 + 95 / 2.0, 0).x, 1);
 }
 

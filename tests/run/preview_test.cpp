@@ -68,6 +68,32 @@ TEST(Preview, WarnsOfADamThinnerThanTheKernel) {
                         "through it below 4.00 m"));
 }
 
+// 2 m of water-like flow at sqrt(2 g 2) = 6.3 m/s: tan(11.3 deg) x 1800 x 9.81 x 2 = 7.1 kPa and
+// 1800 x 9.81 x 6.3^2 / 500 = 1.4 kPa are asked for; 20 Pa s over 0.25 m carry 0.5 kPa, 2000 Pa
+// s 50.
+TEST(Preview, WarnsOfAFluidThatDoesNotFeelItsWall) {
+  const auto preview = [](double viscosity, const std::string& wall) {
+    const TemporaryFolder folder;
+    Faults faults;
+    const Case c = read_case_text(
+        "[terrain.plane]\nextent = [0, 0, 30, 30]\nslope = 10\n[material]\ndensity = 1800\n"
+        "rheology = \"newtonian\"\nviscosity = " +
+            std::to_string(viscosity) +
+            "\n[release]\npolygon = [[5, 5], [9, 5], [9, 9], [5, 9]]\nthickness = 2\n"
+            "[run]\nduration = 1\n[numerics]\nspacing = 0.5\n" +
+            wall,
+        folder / "", faults);
+    const Scene scene = make_scene(c, faults);
+    faults.throw_if_any();
+    return preview_text(c, scene);
+  };
+  const std::string voellmy = "wall = \"voellmy\"\nwall_friction_angle = 11.3\n";
+  EXPECT_THAT(preview(20, voellmy), HasSubstr("asks for 8.4 kPa under 2 m of flow at 6.3 m/s; this "
+                                              "material carries 0.5 kPa"));
+  EXPECT_THAT(preview(2000, voellmy), Not(HasSubstr("asks for")));
+  EXPECT_THAT(preview(20, ""), Not(HasSubstr("asks for")));
+}
+
 TEST(Preview, ComparesThePathWithTheEffectiveFriction) {
   // The path falls 291 m over 1206 m: 13.6 degrees. r_u = 0.6 leaves atan(0.4 tan 28) = 12.0.
   EXPECT_THAT(preview_with({}),

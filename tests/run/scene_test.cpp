@@ -91,6 +91,20 @@ polygon = [[100, 10], [140, 10], [140, 40]]
                           HasSubstr("zone[1].polygon: holds no centre of a cell")));
 }
 
+TEST(Scene, ALineWhereThereIsNoGroundIsAFault) {
+  FlatCase flat_case;
+  Raster ground = flat();  // x and y of the hole: 40 to 50 m
+  for (int row = 10; row < 20; ++row)
+    for (int column = 40; column < 50; ++column) ground.at(column, row) = Raster::no_data;
+  write_raster(flat_case.folder / "dem.tif", ground, {"", "elevation", "m"});
+  flat_case.make(square_release +
+                 "[[section]]\nname = \"a\"\nline = [[42, 42], [48, 48]]\n"
+                 "[[section]]\nname = \"b\"\nline = [[70, 1], [80, 1]]\n");
+  EXPECT_THAT(flat_case.messages(),
+              ElementsAre(HasSubstr("section[1].line: the line lies where the DEM has no data"),
+                          HasSubstr("section[2].line: the line lies beside the DEM")));
+}
+
 TEST(Scene, ReleaseIsWhatLiesBetweenTwoSurfaces) {
   FlatCase flat_case;
   // After the event: a pit of 10 x 10 m, 4 m deep; and a dent of 0.2 m that is noise.
@@ -104,6 +118,7 @@ TEST(Scene, ReleaseIsWhatLiesBetweenTwoSurfaces) {
       "release.least_thickness = 0.5\n");
   ASSERT_TRUE(flat_case.faults.empty()) << flat_case.messages().front();
   EXPECT_NEAR(scene.release_volume, 400, 1e-9);
+  EXPECT_NEAR(scene.release_area, 100, 1e-9);
   EXPECT_EQ(scene.release_depth, 4);
   ASSERT_TRUE(scene.lost);
   EXPECT_EQ(scene.lost->dug, 400);
@@ -131,6 +146,7 @@ TEST(Scene, ThicknessOfEachPolygonMayComeFromItsAttribute) {
       "release.polygon = \"release.geojson\"\nrelease.thickness_attribute = \"d0\"\n");
   ASSERT_TRUE(flat_case.faults.empty()) << flat_case.messages().front();
   EXPECT_NEAR(scene.release_volume, 500, 1e-9);
+  EXPECT_NEAR(scene.release_area, 200, 1e-9);
   EXPECT_EQ(scene.release_depth, 3);
 
   FlatCase& again = flat_case;

@@ -12,6 +12,7 @@
 #include "run/new_case.hpp"
 #include "run/scene.hpp"
 #include "run/simulation.hpp"
+#include "run/study_page.hpp"
 #include "run/study_plan.hpp"
 #include "run/study_table.hpp"
 
@@ -72,10 +73,20 @@ TEST(StudyTable, OfTwoSpacingsSaysWhatItAssumes) {
 }
 
 TEST(StudyTable, ShowsNoVolumeBelowZero) {
-  const PageTable page =
-      quantities_table(study_table({record(2, {{"a [m3]", 3}}), record(1, {{"a [m3]", 1}})}));
+  const std::vector<BatchRecord> records{record(2, {{"a [m3]", 3}}), record(1, {{"a [m3]", 1}})};
+  const StudyTable table = study_table(records);
+  const PageTable page = quantities_table(table);
   EXPECT_EQ(page.rows[0][5], "-") << "1 - 2";
   EXPECT_THAT(page.rows[0].back(), HasSubstr("extrapolates below zero"));
+  const TemporaryFolder folder;
+  write_study(folder / "", {}, records, table, {});
+  std::ifstream csv(folder / "table.csv");
+  std::string line;
+  std::getline(csv, line);
+  EXPECT_EQ(line,
+            "quantity,at 2 m,at 1 m,convergence,order,extrapolated,uncertainty,lowest,highest");
+  std::getline(csv, line);
+  EXPECT_THAT(line, HasSubstr(",1,,")) << "of first order, without a limit";
 }
 
 // Means 10 and 11, deviations sqrt(2) each: the standard error of the change is sqrt(2/2 + 2/2).

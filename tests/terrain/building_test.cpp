@@ -8,6 +8,7 @@
 
 #include "terrain/body_points.hpp"
 #include "terrain/ground.hpp"
+#include "terrain/polygon_checks.hpp"
 #include "terrain/prism_mesh.hpp"
 
 namespace sabo {

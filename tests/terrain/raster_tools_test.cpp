@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
-#include "terrain/crop.hpp"
 #include "terrain/hole_filling.hpp"
 
 namespace sabo {
@@ -61,28 +60,6 @@ TEST(FillHoles, StaysWithinTheRim) {
 TEST(FillHoles, LeavesAnEmptyRasterAlone) {
   Raster raster({4, 4, 0, 0, 1, 1}, Raster::no_data);
   EXPECT_EQ(fill_holes(raster, 100).border_cells_left, 16U);
-}
-
-TEST(Crop, KeepsTheCellsTheWindowTouches) {
-  const Raster raster = tilted();  // x 0 to 12, y 0 to 20
-  const Raster part = cropped(raster, 2.5, 3.9, 6, 10.1);
-  EXPECT_EQ(part.grid, (Grid{4, 5, 2, 12, 1, 2}));
-  for (int row = 0; row < part.grid.rows; ++row) {
-    for (int column = 0; column < part.grid.columns; ++column) {
-      EXPECT_EQ(part.at(column, row), 3 * part.grid.x_of(column) - 2 * part.grid.y_of(row));
-    }
-  }
-}
-
-TEST(Crop, IsClippedToTheRaster) {
-  EXPECT_EQ(cropped(tilted(), -1e30, -5, 1e30, 1e30).grid, tilted().grid);
-}
-
-TEST(Crop, RefusesWindowsThatLeaveNothing) {
-  EXPECT_THROW(cropped(tilted(), 20, 0, 30, 10), CaseError);
-  EXPECT_THROW(cropped(tilted(), 2, 0, 2.9, 10), CaseError);
-  EXPECT_THROW(cropped(tilted(), 5, 0, 4, 10), CaseError);
-  EXPECT_THROW(cropped(tilted(), std::nan(""), 0, 4, 10), CaseError);
 }
 
 }  // namespace

@@ -43,6 +43,7 @@ TEST(Release, ScalesToAVolume) {
   const Surface surface = slope();
   const ReleaseShape shape = scaled_to(release_of({{square(4, 8), 1.6}}), 48);
   EXPECT_DOUBLE_EQ(shape.thickness(5, 5), 3);
+  EXPECT_DOUBLE_EQ(shape.area, 16);
   EXPECT_NEAR(volume_of(released(surface, shape, {0.4, 1700, {}}), 1700), 48, 1e-10);
 }
 
@@ -62,6 +63,7 @@ TEST(Release, TakesThicknessFromARaster) {
   const Surface surface = slope();
   const ReleaseShape shape = release_of(thickness);
   EXPECT_DOUBLE_EQ(shape.volume, 12);
+  EXPECT_DOUBLE_EQ(shape.area, 8);
   const Particles fluid = released(surface, shape, {0.5, 1000, {}});
   EXPECT_EQ(fluid.size(), 16U * 2 + 16 * 4);
   EXPECT_NEAR(volume_of(fluid, 1000), 12, 1e-10);

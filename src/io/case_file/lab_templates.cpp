@@ -52,7 +52,7 @@ viscosity = 0.001  # Pa s
 # Discharge through the middle of the tank, positive along x.
 [[section]]
 name = "middle"
-line = [[2, 1], [2, 0]]
+line = [[2, 0], [2, 1]]
 
 # Mean depth behind the box.
 [[zone]]
@@ -96,7 +96,7 @@ preset = "carbopol_030"  # a gel of a laboratory; others: sabo models
 # Discharge 1 m below the gate, positive down the flume.
 [[section]]
 name = "gauge"
-line = [[2, {half_width}], [2, -{half_width}]]
+line = [[2, -{half_width}], [2, {half_width}]]
 
 [numerics]
 spacing = 0.02  # m

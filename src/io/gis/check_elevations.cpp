@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "io/gis/crs.hpp"
 
@@ -49,7 +50,8 @@ void check_elevations(const std::string& key, const std::string& name, const Ras
   if (absurd > 0) {
     throw CaseError(
         key,
-        fmt::format("{} has {} cells like {:.9g} m, which is no elevation", name, absurd, example),
+        fmt::format("{} has {} of {:.9g} m or the like, which is no elevation", name,
+                    counted(absurd, "cell"), example),
         fmt::format("declare that value as nodata, e.g. gdal_edit.py -a_nodata {:.9g}", example));
   }
 }

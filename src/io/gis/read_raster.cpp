@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "base/counted.hpp"
 #include "io/gis/check_elevations.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/raster_file.hpp"
@@ -37,8 +38,9 @@ void check_values(const RasterFile& file, const Raster& raster) {
   const auto first = std::ranges::find_if(raster.values, is_negative);
   if (first != raster.values.end()) {
     const auto count = std::count_if(first, raster.values.end(), is_negative);
-    file.refuse(fmt::format("has {} cells of negative thickness, e.g. {:.9g} m", count, *first),
-                "declare that value as nodata, or set those cells to 0");
+    file.refuse(
+        fmt::format("has {} of negative thickness, e.g. {:.9g} m", counted(count, "cell"), *first),
+        "declare that value as nodata, or set those cells to 0");
   }
   const auto has_mass = [](double thickness) { return thickness > 0; };
   if (std::ranges::none_of(raster.values, has_mass)) {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "base/counted.hpp"
 #include "base/error.hpp"
 #include "base/parsed_number.hpp"
 #include "io/output/read_csv.hpp"
@@ -126,7 +127,7 @@ class Parser {
       throw CaseError(place_, name_ + " is empty",
                       fmt::format("give a CSV table with the columns {}", wanted_columns));
     if (result.time.size() < 2)
-      throw CaseError(place_, fmt::format("{} has {} rows", name_, result.time.size()),
+      throw CaseError(place_, fmt::format("{} has {}", name_, counted(result.time.size(), "row")),
                       "give two at least: discharge is straight between rows");
     if (!(result.volume() > 0))
       throw CaseError(place_, name_ + " has no discharge", "give one above 0");

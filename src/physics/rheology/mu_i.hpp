@@ -9,8 +9,9 @@
 namespace sabo {
 
 /// Dense granular flow, mu(I) (Jop, Forterre & Pouliquen 2006):
-///   tau = mu(I) p' + eta gd,  mu(I) = mu_s + (mu_2 - mu_s) / (1 + I_0/I),  I = gd d /
-///   sqrt(p'/rho_s)
+///   tau = mu(I) p' + eta gd,
+///   mu(I) = mu_s + (mu_2 - mu_s) / (1 + I_0/I),
+///   I = gd d / sqrt(p'/rho_s)
 /// with the effective pressure p'. The static part, c + mu_s p', is the yield stress, mu_s the
 /// tangent of its friction angle. eta, the viscosity of the fluid between the grains, keeps places
 /// without pressure calm. mu_eff = tau / gd, up to the cap.
@@ -38,7 +39,7 @@ struct MuI {
           100),
       i_0);
     v(Key{"grain_diameter", "m", "d in the inertial number"}.above(0).at_most(10), diameter);
-    v(Key{"grain_density", "kg/m3", "rho_s in the inertial number"}.at_least(1).at_most(3e4),
+    v(Key{"grain_density", "kg/m3", "rho_s in the inertial number"}.at_least(100).at_most(3e4),
       grain_density);
     v(Key{"fluid_viscosity", "Pa s", "eta, of the fluid between the grains"}.at_least(0).at_most(
           1e9),

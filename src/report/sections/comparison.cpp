@@ -75,6 +75,9 @@ void compare_series(Report& report, const std::string& file, const std::string& 
 void compare_with_run(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   page.text(say("compare.runs", title_of(*other), other->folder().filename().string()));
+  const auto here = run.number("run", "simulated_s"), there = other->number("run", "simulated_s");
+  if (here && there && fixed(*here, 0) != fixed(*there, 0))
+    page.text(say("compare.ends", fixed(*here, 1), fixed(*there, 1)));
   compare_quantities(report);
   if (const NumberTable* table = run.series("discharge.csv"))
     for (const std::string& section : names_before(*table, " net discharge [m3/s]"))

@@ -5,34 +5,23 @@
 #include "report/report_maps.hpp"
 #include <fmt/format.h>
 
-#include "analysis/columns.hpp"
+#include "run/run_maps.hpp"
 
 namespace sabo {
 namespace {
 
-enum class Threshold { film, little, none };
-
 struct KnownMap {
   std::string_view name;
-  Threshold threshold;  ///< what is left out
-  bool is_expected;     ///< every run has it
+  bool is_expected;  ///< every run has it
 };
 
 // In the order of the report.
 constexpr std::array known_maps{
-    KnownMap{"pfd", Threshold::film, true},   KnownMap{"pfv", Threshold::little, true},
-    KnownMap{"ppr", Threshold::little, true}, KnownMap{"pmf", Threshold::little, false},
-    KnownMap{"pft", Threshold::film, false},  KnownMap{"tarr", Threshold::none, true},
-    KnownMap{"dep", Threshold::film, true},   KnownMap{"det", Threshold::film, false}};
+    KnownMap{"pfd", true},  KnownMap{"pfv", true},  KnownMap{"ppr", true}, KnownMap{"pmf", false},
+    KnownMap{"pft", false}, KnownMap{"tarr", true}, KnownMap{"dep", true}, KnownMap{"det", false}};
 
 // Shown in other sections.
 constexpr std::array<std::string_view, 3> elsewhere{"ground", "rel", "res"};
-
-double threshold_of(const KnownMap& map, const RunRecord& run) {
-  if (map.threshold == Threshold::none) return 0;
-  if (map.threshold == Threshold::little) return 0.01;
-  return run.described() ? wet_depth(run.described()->numerics.spacing) : 0.05;
-}
 
 std::string with_unit(const std::string& quantity, RunRecord& run, const std::string& name) {
   const MapRecord* map = run.map(name);
@@ -53,7 +42,7 @@ void add_maps(Report& report) {
     if (is_there || map.is_expected)
       add_map(report, name,
               {say("map." + name), with_unit(say("quantity." + name), run, name),
-               threshold_of(map, run)});
+               map_kind(name)->threshold(wet_depth_of(run))});
   }
   for (const std::string_view name : elsewhere) std::erase(names, name);
   for (const std::string& name : names) add_map(report, name, {name, with_unit(name, run, name)});

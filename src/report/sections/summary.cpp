@@ -28,15 +28,10 @@ void tell_end(Report& report) {
         say("end.moving_means", amount(*run.number("motion", "moving_volume")), fixed(reached, 1)));
 }
 
-void tell_resolution(Report& report) {
+void tell_if_coarse(Report& report) {
   const auto median = report.run.number("resolution", "median_layers");
-  if (!median || !report.run.number("resolution", "wet_area").value_or(0)) return;
-  if (*median < 4)
-    report.page.notice(Tone::alarm, report.say("resolution.coarse"),
-                       report.say("resolution.coarse_means", fixed(*median, 1)));
-  else if (*median < 5)
-    report.page.notice(Tone::caution, report.say("resolution.barely"),
-                       report.say("resolution.barely_means", fixed(*median, 1)));
+  if (median && report.run.number("resolution", "wet_area").value_or(0) > 0)
+    tell_resolution(report, *median, false);
 }
 
 /// Of the release and of what came through inflows, m3.
@@ -99,19 +94,19 @@ std::optional<SectionPeak> greatest_discharge(Report& report) {
   return greatest;
 }
 
-struct LoadPeak {
+struct GreatestLoad {
   std::string body;
   double force = 0;  ///< N
   double time = 0;   ///< s
 };
 
-std::optional<LoadPeak> greatest_load(const Report& report) {
-  std::optional<LoadPeak> greatest;
+std::optional<GreatestLoad> greatest_load(const Report& report) {
+  std::optional<GreatestLoad> greatest;
   for (const TomlTable& load : report.run.list("load")) {
     const auto force = number_at(load, "peak_force");
     if (!force || (greatest && *force <= greatest->force)) continue;
-    greatest = LoadPeak{text_at(load, "name").value_or(""), *force,
-                        number_at(load, "peak_time").value_or(0)};
+    greatest = GreatestLoad{text_at(load, "name").value_or(""), *force,
+                            number_at(load, "peak_time").value_or(0)};
   }
   return greatest;
 }
@@ -153,7 +148,7 @@ void add_summary(Report& report) {
   if (const std::string note = run.written("", "note"); !note.empty())
     page.notice(Tone::caution, say("page.note"), note);
   tell_end(report);
-  tell_resolution(report);
+  tell_if_coarse(report);
 
   std::string text = say("summary.what") + sentence_of_volume(report) + sentence_of_front(report) +
                      sentences_of_dams(report);

@@ -5,22 +5,10 @@
 #include "report/report_maps.hpp"
 #include <fmt/format.h>
 
-#include "analysis/resolution.hpp"
 #include "run/pictures.hpp"
 
 namespace sabo {
 namespace {
-
-void tell_verdict(Report& report, double median) {
-  const auto& [run, other, say, page, sharpness] = report;
-  const std::string layers = fixed(median, 1);
-  if (median < ResolutionGuard::enough_layers)
-    page.notice(Tone::alarm, say("resolution.coarse"), say("resolution.coarse_means", layers));
-  else if (median < ResolutionGuard::good_layers)
-    page.notice(Tone::caution, say("resolution.barely"), say("resolution.barely_means", layers));
-  else
-    page.notice(Tone::good, say("resolution.good"), say("resolution.good_means", layers));
-}
 
 /// The least and greatest of a column.
 std::optional<std::pair<double, double>> range_of(const NumberTable& table, const char* lowest,
@@ -124,7 +112,7 @@ void add_resolution(Report& report) {
   page.section(say("resolution.title"));
   const auto median = run.number("resolution", "median_layers");
   if (!median) return tell_missing(report, "manifest.toml [resolution]");
-  tell_verdict(report, *median);
+  tell_resolution(report, *median, true);
   const double thin = run.number("resolution", "thin_share").value_or(0);
   const double barely = run.number("resolution", "barely_share").value_or(0);
   ReportTable table;
