@@ -56,8 +56,8 @@ void Basin::fill(const Raster& elevation, const CheckDam& dam) {
   const Grid& grid = elevation.grid;
   const Curtain wall(dam.axis);
   const auto place = [&](std::size_t index) {
-    const int row = static_cast<int>(index / grid.columns);
-    const int column = static_cast<int>(index % grid.columns);
+    const int row = grid.row_at(index);
+    const int column = grid.column_at(index);
     return Vec3d{grid.x_of(column), grid.y_of(row), 0};
   };
   const auto is_higher = [](const Cell& a, const Cell& b) { return a.ground > b.ground; };
@@ -76,8 +76,8 @@ void Basin::fill(const Raster& elevation, const CheckDam& dam) {
       before_saddle = pool_.size();
     }
     pool_.push_back(cell);
-    const int row = static_cast<int>(cell.index / grid.columns);
-    const int column = static_cast<int>(cell.index % grid.columns);
+    const int row = grid.row_at(cell.index);
+    const int column = grid.column_at(cell.index);
     for (const auto [east, south] : {std::array{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
       const bool is_inside = grid.has_cell(column + east, row + south);
       const std::size_t next = is_inside ? grid.index(column + east, row + south) : 0;

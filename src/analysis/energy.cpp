@@ -1,25 +1,16 @@
 #include "analysis/energy.hpp"
 
-#include <algorithm>
+#include "base/host_loops.hpp"
 
 namespace sabo {
 
 Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait) {
-  constexpr std::size_t block = 1024;  // rounding grows with the block and the number of blocks
-  Energy total;
-  for (std::size_t first = 0; first < particles.size(); first += block) {
-    const std::size_t last = std::min(first + block, particles.size());
-    Energy sum;
-    for (std::size_t i = first; i < last; ++i) {
-      const double mass = particles.mass[i];
-      const Vec3d& velocity = particles.velocity[i];
-      sum = sum + Energy{mass, 0.5 * mass * dot(velocity, velocity),
-                         -mass * dot(gravity, particles.position[i]),
-                         mass * tait.elastic_energy(particles.density[i])};
-    }
-    total = total + sum;
-  }
-  return total;
+  return blocked_sum<Energy>(particles.size(), 1, [&](std::size_t i, Energy& sum) {
+    const double mass = particles.mass[i];
+    const Vec3d& velocity = particles.velocity[i];
+    sum += {mass, 0.5 * mass * dot(velocity, velocity), -mass * dot(gravity, particles.position[i]),
+            mass * tait.elastic_energy(particles.density[i])};
+  });
 }
 
 Energy energy_brought_by(const Particles& particles, const Vec3d& gravity, const Tait& tait) {

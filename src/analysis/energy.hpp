@@ -13,10 +13,15 @@ struct Energy {
   double elastic = 0;    ///< stored by compression; zero at the reference density
   double total() const { return kinetic + potential + elastic; }
 
-  friend Energy operator+(const Energy& a, const Energy& b) {
-    return {a.mass + b.mass, a.kinetic + b.kinetic, a.potential + b.potential,
-            a.elastic + b.elastic};
+  Energy& operator+=(const Energy& other) {
+    mass += other.mass;
+    kinetic += other.kinetic;
+    potential += other.potential;
+    elastic += other.elastic;
+    return *this;
   }
+  friend Energy operator+(Energy a, const Energy& b) { return a += b; }
+  void join(const Energy& other) { *this += other; }
 };
 
 /// Sums over the rows in fixed blocks. `gravity` in m/s2.

@@ -19,8 +19,8 @@ std::vector<std::size_t> wet_squares(const Columns& columns, const Grid& grid) {
   std::vector<std::size_t> squares;
   for (const std::size_t cell : columns.touched()) {
     if (!columns.is_wet(cell)) continue;
-    const int column = static_cast<int>(cell % grid.columns);
-    const int row = static_cast<int>(cell / grid.columns);
+    const int column = grid.column_at(cell);
+    const int row = grid.row_at(cell);
     for (int r = row - 1; r <= row; ++r)
       for (int c = column - 1; c <= column; ++c)
         if (grid.has_cell(c, r) && grid.has_cell(c + 1, r + 1)) squares.push_back(grid.index(c, r));
@@ -60,9 +60,8 @@ FlowSurface flow_surface(const Columns& columns, const Raster& elevation) {
   const Grid& grid = elevation.grid;
   for (const std::size_t cell : cells) {
     const double ground = elevation.values[cell], depth = columns.depth(cell);
-    surface.mesh.vertices.push_back({grid.x_of(static_cast<int>(cell % grid.columns)),
-                                     grid.y_of(static_cast<int>(cell / grid.columns)),
-                                     ground + depth});
+    surface.mesh.vertices.push_back(
+        {grid.x_of(grid.column_at(cell)), grid.y_of(grid.row_at(cell)), ground + depth});
     surface.ground.push_back(ground);
     surface.depth.push_back(depth);
     surface.speed.push_back(depth > 0 ? columns.speed(cell) : 0);

@@ -13,8 +13,8 @@ std::optional<FootprintPlace> place_of(const Grid& grid, const std::vector<std::
   FootprintPlace place;
   std::vector<Vec3d> centres;
   for (const std::size_t cell : cells) {
-    const int column = static_cast<int>(cell % grid.columns);
-    const int row = static_cast<int>(cell / grid.columns);
+    const int column = grid.column_at(cell);
+    const int row = grid.row_at(cell);
     centres.push_back({grid.x_of(column), grid.y_of(row), 0});
     place.centroid_x += centres.back().x;
     place.centroid_y += centres.back().y;

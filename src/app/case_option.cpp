@@ -70,4 +70,10 @@ void add_case_option(CLI::App& command, const std::string& table, const std::str
       ->type_name(finder.found->value_name);
 }
 
+void add_run_options(CLI::App& command, std::vector<Override>& overrides) {
+  add_case_option(command, "run", "duration", overrides);
+  for (const char* key : {"method", "backend", "threads"})
+    add_case_option(command, "numerics", key, overrides);
+}
+
 }  // namespace sabo

@@ -15,4 +15,7 @@ namespace sabo {
 void add_case_option(CLI::App& command, const std::string& table, const std::string& key,
                      std::vector<Override>& overrides);
 
+/// The ones for how long and how a case is run: --duration, --method, --backend, --threads.
+void add_run_options(CLI::App& command, std::vector<Override>& overrides);
+
 }  // namespace sabo

@@ -89,10 +89,7 @@ void add_check_command(CLI::App& program, Action& action) {
   command->add_flag("--no-forecast", options->no_forecast,
                     "do not step the flow for a second or two to tell how long the run will take");
   add_case_option(*command, "numerics", "spacing", options->overrides);
-  add_case_option(*command, "run", "duration", options->overrides);
-  add_case_option(*command, "numerics", "method", options->overrides);
-  add_case_option(*command, "numerics", "backend", options->overrides);
-  add_case_option(*command, "numerics", "threads", options->overrides);
+  add_run_options(*command, options->overrides);
   command->footer(
       "Examples:\n  sabo check demo\n  sabo check demo --spacing 1.5\n  sabo check --defaults");
   command->callback([&action, options, path] {

@@ -127,10 +127,7 @@ void add_run_command(CLI::App& program, Action& action) {
   branch_at->type_name("TIME")->needs(from)->excludes("--resume");
   from->type_name("RUN")->needs(branch_at);
   add_case_option(*command, "numerics", "spacing", options->overrides);
-  add_case_option(*command, "run", "duration", options->overrides);
-  add_case_option(*command, "numerics", "method", options->overrides);
-  add_case_option(*command, "numerics", "backend", options->overrides);
-  add_case_option(*command, "numerics", "threads", options->overrides);
+  add_run_options(*command, options->overrides);
   command->footer(
       "Examples:\n  sabo run demo\n  sabo run demo -o coarse --spacing 1.5 --duration 60\n"
       "  sabo run demo-run --resume\n"

@@ -25,7 +25,7 @@ int study(const StudyCommandOptions& options) {
 
 void add_study_command(CLI::App& program, Action& action) {
   CLI::App* command = program.add_subcommand(
-      "study", "Run a case at several spacings and say what hangs on the spacing");
+      "study", "Run a case at several spacings and say how results depend on the spacing");
   const auto options = std::make_shared<StudyCommandOptions>();
   StudyRequest& request = options->request;
   command
@@ -49,10 +49,7 @@ void add_study_command(CLI::App& program, Action& action) {
                    "runs at each spacing with jittered starts: the scatter of the results")
       ->type_name("N");
   add_case_option(*command, "release", "jitter", request.overrides);
-  add_case_option(*command, "run", "duration", request.overrides);
-  add_case_option(*command, "numerics", "method", request.overrides);
-  add_case_option(*command, "numerics", "backend", request.overrides);
-  add_case_option(*command, "numerics", "threads", request.overrides);
+  add_run_options(*command, request.overrides);
   command->footer(
       "Examples:\n  sabo study demo --spacings 4,3,2.2\n"
       "  sabo study demo --spacings 4,3,2.2 --members 5 --duration 60");

@@ -53,10 +53,7 @@ void add_sweep_command(CLI::App& program, Action& action) {
       ->type_name("DIR");
   std::vector<Override>& overrides = options->request.overrides;
   add_case_option(*command, "numerics", "spacing", overrides);
-  add_case_option(*command, "run", "duration", overrides);
-  add_case_option(*command, "numerics", "method", overrides);
-  add_case_option(*command, "numerics", "backend", overrides);
-  add_case_option(*command, "numerics", "threads", overrides);
+  add_run_options(*command, overrides);
   command->footer(
       "Examples:\n  sabo sweep demo --vary material.pore_pressure_ratio=0:0.6:0.2\n"
       "  sabo sweep demo --vary release.volume=5000,9000 --vary structure[1].height=6:10:2");

@@ -23,7 +23,7 @@ constexpr const char* examples = R"(Examples:
   sabo new yohutagawa demo                   write an example with its input files
   sabo check demo                            what the case holds, and what is wrong with it
   sabo run demo --spacing 1.5 --duration 60  run it, coarser and shorter than it says
-  sabo study demo --spacings 4,3,2.2         run it at each spacing: what hangs on it
+  sabo study demo --spacings 4,3,2.2         run it at each spacing: what depends on it
   sabo plot demo-run --times 10,30,60        draw the flow at these times
   sabo report demo-run                       one page to print and to hand on
   sabo view demo-run                         the flow in 3D, in a browser

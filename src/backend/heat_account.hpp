@@ -8,7 +8,7 @@ namespace sabo {
 
 /// What the scheme itself has taken from the energy of the flow, J; negative what it gave.
 struct NumericalHeat {
-  double artificial_viscosity = 0;  ///< fast; of the explicit method it is a part of dissipation
+  double artificial_viscosity = 0;  ///< method fast; with paper it is a part of dissipation
   double density_diffusion = 0;
   double density_hold = 0;  ///< fast: density held to the places of the particles
   double shifting = 0;      ///< fast: particles shifted to more even places

@@ -48,7 +48,7 @@ struct FlowModel {
   BoundaryStress boundary_stress = BoundaryStress::own;
   BoundaryPressure boundary_pressure = BoundaryPressure::dynamic;  ///< of the method of the paper
   WallShear wall = NoSlip{};                                       ///< of the implicit method
-  bool as_printed = false;
+  bool as_printed = false;           ///< with the factor 1/2 that the paper prints in Eqs. 16-17
   double crowding_tolerance = 0.03;  ///< of the implicit method: filling beyond density
   bool tension_at_surface = true;    ///< of the implicit method: pressure may be negative there
   double particle_shifting = 0;      ///< of the implicit method, see docs/method.md; 0: none

@@ -11,7 +11,8 @@ struct LoadCase {
 
   template <class V>
   void describe(V&& v) {
-    v(Key{"filter", "s", "peak forces are greatest means over so long"}.above(0).at_most(1e4),
+    v(Key{"filter", "s", "peak forces are the greatest of means over this time"}.above(0).at_most(
+          1e4),
       filter);
     v(Key{"alpha", "",
           "of the design formula alpha density depth speed^2, which stands beside the forces"}

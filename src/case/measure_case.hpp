@@ -20,8 +20,9 @@ struct SectionCase {
   void describe(V&& v) {
     v(Key{"name", "", "used in the outputs"}, name);
     v(Key{"line", "",
-          "section for discharge, positive from left to right looking from its first vertex to "
-          "its last: a vector file or coordinates"}
+          "section for discharge: a vector file or coordinates. Positive from left to right "
+          "looking "
+          "from its first vertex to its last: draw it from the right bank to the left one"}
           .required(),
       line);
   }

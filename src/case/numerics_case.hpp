@@ -68,7 +68,8 @@ struct NumericsCase {
 
   template <class V>
   void describe(V&& v) {
-    v(Key{"spacing", "m", "initial distance of particles dp; the flow should be 4 or more deep"}
+    v(Key{"spacing", "m",
+          "initial distance of particles dp; the flow should be at least 4 particles deep"}
           .at_least(1e-6)
           .at_most(1e4)
           .required(),
@@ -166,7 +167,10 @@ struct NumericsCase {
           .at_least(0)
           .at_most(1),
       sleep_speed);
-    v(Key{"sleep_time", "s", "fast: for which it must have been so"}.at_least(0).at_most(1e6),
+    v(Key{"sleep_time", "s",
+          "fast: how long it must have been slower than sleep_speed and below yield"}
+          .at_least(0)
+          .at_most(1e6),
       sleep_time);
     v(Key{"crowding_tolerance", "",
           "fast: difference between density and the places of the particles, as a share, beyond "

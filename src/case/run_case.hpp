@@ -28,7 +28,8 @@ struct RunCase {
     v(Key{"series_interval", "s", "between rows of the series"}.above(0).at_most(1e7),
       series_interval);
     v(Key{"checkpoint_interval", "s",
-          "of computing between checkpoints, from which sabo run --resume goes on; 0: none at all"}
+          "wall-clock time between checkpoints, from which sabo run --resume goes on; 0: none at "
+          "all"}
           .at_least(0)
           .at_most(1e7),
       checkpoint_interval);
@@ -41,7 +42,10 @@ struct RunCase {
     v(Key{"stop_at_rest", "",
           "end the run when the flow has moved and the following limits hold, all at once"},
       stop_at_rest);
-    v(Key{"rest_time", "s", "for so long; displacement is measured over it"}.above(0).at_most(1e7),
+    v(Key{"rest_time", "s",
+          "how long all limits below must hold; displacements are measured over it"}
+          .above(0)
+          .at_most(1e7),
       rest_time);
     v(Key{"rest_speed", "m/s", "displacement over rest_time above which a particle moves"}
           .above(0)
@@ -51,8 +55,12 @@ struct RunCase {
           .at_least(0)
           .at_most(1),
       rest_volume);
-    v(Key{"rest_energy", "", "kinetic energy over its peak"}.at_least(0).at_most(1), rest_energy);
-    v(Key{"rest_creep", "spacings/min", "mean displacement of the mass"}.at_least(0).at_most(1e6),
+    v(Key{"rest_energy", "", "greatest kinetic energy, as a share of its peak"}.at_least(0).at_most(
+          1),
+      rest_energy);
+    v(Key{"rest_creep", "spacings/min", "greatest mean displacement of the mass"}
+          .at_least(0)
+          .at_most(1e6),
       rest_creep);
   }
 };

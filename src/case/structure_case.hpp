@@ -165,7 +165,9 @@ struct StructureCase {
     v(Key{"height_attribute", "",
           "building: attribute of the polygons in the file that holds the height of each, m"},
       height_attribute);
-    v(Key{"thickness", "m", "check_dam, deflection_wall: along the flow"}.above(0).at_most(1e4),
+    v(Key{"thickness", "m", "check_dam, deflection_wall: along the flow; required there"}
+          .above(0)
+          .at_most(1e4),
       thickness);
     v(Key{"notch", "", "check_dam: spillway cut into the crest"}, notch);
     v.tables("slit", "check_dam: vertical slits, or other rectangles that are open through the dam",

@@ -16,7 +16,7 @@ struct IdRun {
   std::uint32_t count = 0;
 };
 
-/// Some runs, sorted and apart from each other; looks at an array of another.
+/// A view of sorted runs that do not overlap; their array must outlive it.
 struct IdRuns {
   const IdRun* runs;
   std::size_t count;

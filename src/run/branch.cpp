@@ -10,6 +10,7 @@
 #include "run/case_difference.hpp"
 #include "run/flow.hpp"
 #include "run/resume.hpp"
+#include "solver/domain.hpp"
 #include "solver/flow_model.hpp"
 
 namespace sabo {
@@ -19,8 +20,6 @@ namespace {
 constexpr std::array<std::string_view, 6> fixed_keys{"release.",         "numerics.spacing",
                                                      "material.density", "terrain.dem",
                                                      "terrain.cr",       "terrain.cell"};
-
-constexpr double tolerated_depth = 0.1;  // spacings, as Domain's
 
 FoundCheckpoint checkpoint_at(const BranchOrigin& origin, double tolerance,
                               const std::function<void(const std::string&)>& tell) {
@@ -52,7 +51,7 @@ void check_case(const Case& c, const Scene& scene, const FoundCheckpoint& checkp
                            difference.before.empty() ? "not given" : difference.before),
                "set it back");
   }
-  const Vec3d origin{scene.frame.origin_x, scene.frame.origin_y, 0};
+  const Vec3d origin = scene.frame.origin();
   if (faults.empty() &&
       !(origin == checkpoint.head.origin && scene.release.size() == checkpoint.head.released))
     faults.add("release", "gives other particles than in the other run",
@@ -87,7 +86,7 @@ void check_room(const Case& c, const Scene& scene, const FlowModel& model,
   for (std::size_t i = 0; i < start.fluid.size(); ++i) {
     const Vec3d& x = start.fluid.position[i];
     if (!ground.surface().inside(x.x, x.y) || !ground.is_solid(x)) continue;
-    if (norm(ground.pushed_out(x) - x) < tolerated_depth * ground.spacing()) continue;
+    if (norm(ground.pushed_out(x) - x) < Domain::tolerated_depth * ground.spacing()) continue;
     Buried& in = buried[holder_of(x, scene)];
     ++in.count;
     in.mass += start.fluid.mass[i];

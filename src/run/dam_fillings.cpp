@@ -14,9 +14,7 @@ std::vector<std::string> filling_columns(const Scene& scene) {
 }  // namespace
 
 Basin basin_behind(const CheckDam& dam, const Scene& scene) {
-  const Vec3d& from = scene.release_centre;
-  const int side = project(dam.axis, from.x, from.y).offset < 0 ? -1 : 1;
-  return {scene.surface->elevation(), dam, side};
+  return {scene.surface->elevation(), dam, scene.side_of_release(dam)};
 }
 
 DamFillings::DamFillings(const Scene& scene, const RunFolder& folder)

@@ -71,7 +71,7 @@ std::shared_ptr<const OwnedFrame> owned_frame(double time, const Vec3d& origin,
 
 Frames::Frames(const Scene& scene, const RunFolder& folder, int threads, bool are_beside_steps)
     : folder_(folder.frames()),
-      origin_{scene.frame.origin_x, scene.frame.origin_y, 0},
+      origin_(scene.frame.origin()),
       list_(folder.frames() / "flow.pvd"),
       threads_(threads),
       are_beside_steps_(are_beside_steps) {

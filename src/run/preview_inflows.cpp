@@ -9,11 +9,10 @@
 #include "analysis/resolution.hpp"
 #include "math/angle.hpp"
 #include "run/amount_text.hpp"
+#include "run/scene_structures.hpp"
 
 namespace sabo {
 namespace {
-
-constexpr double fewest_across = 4;  // particles, as through an opening of a dam
 
 /// "east" for [1, 0]: the nearest of eight.
 std::string_view compass_word(const Vec3d& direction) {
@@ -32,11 +31,11 @@ void warn_of(Preview& preview, const InflowPlan& inflow, const SectionFlow& peak
         "{:.2g} m or less for {:g}",
         inflow.name, layers, peak.depth / ResolutionGuard::enough_layers,
         ResolutionGuard::enough_layers));
-  if (across < fewest_across)
+  if (across < enough_across)
     preview.warn(
         fmt::format("the inflow \"{}\" is only {:.1f} particles wide at its peak; take "
                     "numerics.spacing = {:.2g} m or less for {:g}",
-                    inflow.name, across, peak.width / fewest_across, fewest_across));
+                    inflow.name, across, peak.width / enough_across, enough_across));
   if (!(inflow.section.fall() > 0))
     preview.warn(
         fmt::format("the ground rises in front of the inflow \"{}\", by {:.1f} deg in the "

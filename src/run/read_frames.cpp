@@ -41,7 +41,7 @@ Particles particles_of(const fs::path& file, const Frame& frame) {
   const auto& pressure = array_of(read, "pressure [Pa]", 1, file).values;
   const auto& mass = array_of(read, "mass [kg]", 1, file).values;
   const auto& id = array_of(read, "id", 1, file).values;
-  const Vec3d shift = read.origin - Vec3d{frame.origin_x, frame.origin_y, 0};
+  const Vec3d shift = read.origin - frame.origin();
   Particles particles;
   particles.resize(read.points.size());
   for (std::size_t i = 0; i < particles.size(); ++i) {

@@ -149,7 +149,7 @@ void Recorder::follow(const Particles& fluid) {
 
 void Recorder::after_entry(Domain& domain, const Tait& state) {
   const Particles entered = domain.take_entered();
-  freed_ = freed_ + energy_brought_by(domain.take_freed(), model_.gravity, state);
+  freed_ += energy_brought_by(domain.take_freed(), model_.gravity, state);
   for (std::size_t k = 0; k < inflows_.size(); ++k)
     inflows_[k].entered = domain.inflows()[k].entered();
   if (entered.size() == 0) return;
@@ -208,7 +208,7 @@ void Recorder::after_renewal(Domain& domain, const Tait& state) {
   const Particles departed = domain.take_departed();
   const std::size_t put_back = domain.put_back_count() - put_back_seen_;
   put_back_seen_ += put_back;
-  left_ = left_ + energy_of(departed, model_.gravity, state);
+  left_ += energy_of(departed, model_.gravity, state);
   for (VolumeLedger& ledger : ledgers_) {
     if (departed.size() > 0) ledger.leave(departed);
     ledger.put_back(put_back);

@@ -20,8 +20,10 @@ enum class FormerRun {
 /// other run can write there.
 class RunFolder {
  public:
-  /// Makes the folder. Throws CaseError if it holds files that are not those of a run, another run
-  /// than `former` says, or one that is being written; RunError if it cannot be made.
+  /// Makes the folder, and a manifest that says that the run goes on. Removes what other commands
+  /// made of a former run, and its own results too where it is replaced. Throws CaseError if it
+  /// holds files that are not those of a run, another run than `former` says, or one that is being
+  /// written; RunError if it cannot be made.
   RunFolder(std::filesystem::path folder, FormerRun former);
 
   const std::filesystem::path& root() const { return root_; }

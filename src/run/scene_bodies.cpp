@@ -27,7 +27,7 @@ Vec3d vector_of(const std::array<double, 3>& numbers) {
 }
 
 UprightBox box_of(const BodyCase& c, const Frame& frame) {
-  const Vec3d low = moved(frame, vector_of(*c.min)), high = moved(frame, vector_of(*c.max));
+  const Vec3d low = in_frame(frame, vector_of(*c.min)), high = in_frame(frame, vector_of(*c.max));
   return {low, high, 0.5 * (low + high), c.rotation * degree};
 }
 
@@ -50,7 +50,7 @@ void refuse_if_coarse(const TriangleMesh& mesh, const BodyCase& c, double spacin
 
 TriangleMesh placed(TriangleMesh mesh, const BodyCase& c, const Frame& frame,
                     const std::string& key) {
-  const Vec3d shift = moved(frame, c.at ? vector_of(*c.at) : Vec3d{});
+  const Vec3d shift = in_frame(frame, c.at ? vector_of(*c.at) : Vec3d{});
   for (Vec3d& v : mesh.vertices) {
     v = c.scale * v + shift;
     if (!(std::abs(v.x) < largest_number && std::abs(v.y) < largest_number &&

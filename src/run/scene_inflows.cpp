@@ -29,11 +29,6 @@ Hydrograph discharge_of(const InflowCase& inflow, const std::string& key) {
   return result;
 }
 
-bool is_in_solid(const Scene& scene, const Vec3d& place) {
-  const auto holds_it = [&](const auto& solid) { return solid.contains(place); };
-  return std::ranges::any_of(scene.dams, holds_it) || std::ranges::any_of(scene.bodies, holds_it);
-}
-
 /// Whether the section has ground all the way that its particles are driven.
 bool is_inside(const Scene& scene, const InflowSection& section, double reach) {
   const auto is_on_ground = [&](const Vec3d& x) {
@@ -86,7 +81,7 @@ void check_ends(const Scene& scene, const InflowPlan& plan, const std::string& k
     if (!(excess > 0)) continue;
     Vec3d beside = ends[k] + (k == 0 ? -1.0 : 1.0) * outwards;
     beside.z = level - std::min(excess, plan.spacing) / 2;
-    if (is_in_solid(scene, beside)) continue;
+    if (scene.is_solid(beside)) continue;
     throw CaseError(
         key + ".line",
         fmt::format("the highest level of {:.2f} m stands {:.2f} m above the ground at the line's "
@@ -103,7 +98,7 @@ void check_solids(const Scene& scene, const InflowPlan& plan, const std::string&
     for (double beyond = 0; beyond <= plan.reach; beyond += plan.spacing) {
       Vec3d place = column + beyond * plan.section.direction();
       place.z = plan.section.bed(place) + plan.spacing / 2;
-      if (is_in_solid(scene, place))
+      if (scene.is_solid(place))
         throw CaseError(key + ".line",
                         fmt::format("a structure or body stands in the first {:.3g} m of the "
                                     "inflow",

@@ -12,7 +12,7 @@
 #include "run/dam_openings.hpp"
 #include "run/scene_lines.hpp"
 #include "terrain/dam_mesh.hpp"
-#include "terrain/prism_mesh.hpp"
+#include "terrain/polygon_checks.hpp"
 
 namespace sabo {
 namespace {
@@ -147,7 +147,7 @@ void add_buildings(const StructureCase& c, const std::string& key, Scene& scene)
           fmt::format("{} has a building, number {}, with {} = {:g}", c.polygon.file.string(),
                       number, c.height_attribute, outline.value),
           "give a height above 0, in m");
-    move(scene.frame, building.outline);
+    to_frame(scene.frame, building.outline);
     refuse_outside(building, scene, key + ".polygon");
     building.bottom = lowest_ground(*scene.surface, building.outline);
     building.top = building.bottom + outline.value;

@@ -24,7 +24,8 @@ struct ClearWidth {
 /// All that openings and notch leave free.
 std::vector<ClearWidth> clear_widths(const StructureCase& dam);
 
-/// Particles that an opening should have across; below half of it the flow cannot pass.
+/// Particles that an opening, and an inflow, should have across; below half of it the flow cannot
+/// pass.
 inline constexpr double enough_across = 4;
 
 /// What pictures and files show of a dam.

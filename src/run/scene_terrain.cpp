@@ -35,7 +35,7 @@ Raster plane_ground(const PlaneCase& c, double spacing, Scene& scene) {
       c.slope > 0 ? fmt::format("a plane of {:g} deg, falling to {:g} deg", c.slope, c.direction)
                   : "a level plane"};
   Raster ground = raster_of(plane, cell);
-  move(scene.frame, ground.grid);
+  to_frame(scene.frame, ground.grid);
   return ground;
 }
 
@@ -48,7 +48,7 @@ Raster read_ground(const TerrainCase& c, Scene& scene) {
   scene.frame = {std::floor(dem.raster.grid.west), std::floor(dem.raster.grid.south()),
                  dem.crs_wkt};
   scene.dem_notes = std::move(dem.notes);
-  move(scene.frame, dem.raster.grid);
+  to_frame(scene.frame, dem.raster.grid);
   scene.holes = fill_holes(dem.raster, static_cast<int>(c.fill_holes));
   return std::move(dem.raster);
 }
@@ -91,7 +91,7 @@ void dig_release(const Case& c, Raster& ground, Scene& scene) {
   const ReleaseCase& release = c.release;
   const auto read = [&](const std::filesystem::path& file, const char* key) {
     Raster raster = read_elevation(file, {key, scene.frame.crs, c.terrain.assume_metres});
-    move(scene.frame, raster.grid);
+    to_frame(scene.frame, raster.grid);
     return raster;
   };
   const DemPair pair{read(release.dem_before, "release.dem_before"),

@@ -22,6 +22,8 @@
 #include "run/rest_text.hpp"
 #include "run/resume.hpp"
 #include "run/run_folder.hpp"
+#include "run/run_page.hpp"
+#include "run/run_summary.hpp"
 #include "run/scene_record.hpp"
 #include "run/view.hpp"
 #include "solver/make_backend.hpp"

@@ -30,13 +30,12 @@ void SurfaceFrames::write(const RunFrame& frame) {
   const std::vector<float> depth = floats(surface.depth), speed = floats(surface.speed),
                            ground = floats(surface.ground);
   const std::string name = fmt::format("surface_{:05}.vtp", frame.number);
-  write_moving_surface_vtp(folder_ / name,
-                           {.time = frame.time,
-                            .origin = {scene_.frame.origin_x, scene_.frame.origin_y, 0},
-                            .mesh = surface.mesh,
-                            .arrays = {{"depth [m]", 1, std::span(depth)},
-                                       {"speed [m/s]", 1, std::span(speed)},
-                                       {"ground [m]", 1, std::span(ground)}}});
+  write_moving_surface_vtp(folder_ / name, {.time = frame.time,
+                                            .origin = scene_.frame.origin(),
+                                            .mesh = surface.mesh,
+                                            .arrays = {{"depth [m]", 1, std::span(depth)},
+                                                       {"speed [m/s]", 1, std::span(speed)},
+                                                       {"ground [m]", 1, std::span(ground)}}});
   list_.add(frame.time, name);
   shown_.end = frame.time;
   if (!surface.mesh.vertices.empty()) {

@@ -32,9 +32,8 @@ Raster lost_thickness(const DemPair& pair, const Raster& ground, const std::vect
     for_each_cell(ground.grid, compare);
   } else {
     for (const std::size_t cell : cells_within(ground.grid, within)) {
-      const int columns = ground.grid.columns;
-      compare(cell, ground.grid.x_of(static_cast<int>(cell % columns)),
-              ground.grid.y_of(static_cast<int>(cell / columns)));
+      compare(cell, ground.grid.x_of(ground.grid.column_at(cell)),
+              ground.grid.y_of(ground.grid.row_at(cell)));
     }
   }
   return thickness;

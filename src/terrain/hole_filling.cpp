@@ -22,8 +22,8 @@ Hole hole_at(const Raster& raster, std::size_t start, std::vector<std::uint8_t>&
   hole.cells.push_back(start);
   visited[start] = 1;
   for (std::size_t next = 0; next < hole.cells.size(); ++next) {
-    const int column = static_cast<int>(hole.cells[next] % grid.columns);
-    const int row = static_cast<int>(hole.cells[next] / grid.columns);
+    const int column = grid.column_at(hole.cells[next]);
+    const int row = grid.row_at(hole.cells[next]);
     for (int down = -1; down <= 1; ++down) {
       for (int right = -1; right <= 1; ++right) {
         if (!grid.has_cell(column + right, row + down)) {

@@ -13,8 +13,8 @@ namespace {
 
 template <class Visit>
 void for_each_neighbour(const Grid& grid, std::size_t cell, Visit&& visit) {
-  const int column = static_cast<int>(cell % grid.columns);
-  const int row = static_cast<int>(cell / grid.columns);
+  const int column = grid.column_at(cell);
+  const int row = grid.row_at(cell);
   for (int down = -1; down <= 1; ++down) {
     for (int right = -1; right <= 1; ++right) {
       if (right != 0 || down != 0) visit(column + right, row + down);

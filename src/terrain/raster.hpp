@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "math/vec3.hpp"
+
 namespace sabo {
 
 /// North-up grid of cells; column 0, row 0 is the north-west cell, as in GDAL.
@@ -32,6 +34,13 @@ struct Grid {
   std::size_t index(int column, int row) const {
     return static_cast<std::size_t>(row) * columns + column;
   }
+  /// Column and row of the cell that has an index.
+  int column_at(std::size_t cell) const {
+    return static_cast<int>(cell % static_cast<std::size_t>(columns));
+  }
+  int row_at(std::size_t cell) const {
+    return static_cast<int>(cell / static_cast<std::size_t>(columns));
+  }
   double cell_area() const { return dx * dy; }
   friend bool operator==(const Grid&, const Grid&) = default;
 };
@@ -56,6 +65,9 @@ struct Frame {
   double origin_x = 0;
   double origin_y = 0;
   std::string crs;  ///< WKT of the DEM's coordinate system; "" for a DEM without one
+
+  /// Where it begins in coordinates of the CRS, m.
+  Vec3d origin() const { return {origin_x, origin_y, 0}; }
 };
 
 }  // namespace sabo

@@ -17,8 +17,8 @@ const char* const remedy = "give [path] line";
 /// The neighbour in the direction of the steepest fall, or the cell itself.
 std::size_t next_cell(const Raster& filled, std::size_t cell) {
   const Grid& grid = filled.grid;
-  const int column = static_cast<int>(cell % grid.columns);
-  const int row = static_cast<int>(cell / grid.columns);
+  const int column = grid.column_at(cell);
+  const int row = grid.row_at(cell);
   std::size_t best = cell;
   double steepest = 0;
   for (int down = -1; down <= 1; ++down) {
@@ -74,8 +74,8 @@ Polyline steepest_descent(const Raster& elevation, double x, double y) {
   std::size_t cell = grid.index(column, row);
   for (std::size_t next = next_cell(filled, cell); next != cell; next = next_cell(filled, cell)) {
     cell = next;
-    path.push_back({grid.x_of(static_cast<int>(cell % grid.columns)),
-                    grid.y_of(static_cast<int>(cell / grid.columns)), elevation.values[cell]});
+    path.push_back(
+        {grid.x_of(grid.column_at(cell)), grid.y_of(grid.row_at(cell)), elevation.values[cell]});
     if (is_at_border(elevation, cell)) break;
   }
   // The last of the lowest: a flat floor is crossed to its border.

@@ -35,8 +35,8 @@ std::vector<double> extended(const Raster& elevation) {
   }
   if (front.size() == values.size()) return values;
   for (std::size_t next = 0; next < front.size(); ++next) {
-    const int column = static_cast<int>(front[next] % grid.columns);
-    const int row = static_cast<int>(front[next] / grid.columns);
+    const int column = grid.column_at(front[next]);
+    const int row = grid.row_at(front[next]);
     constexpr std::array<std::array<int, 2>, 8> steps{
         {{1, 0}, {-1, 0}, {0, 1}, {0, -1}, {1, 1}, {-1, 1}, {1, -1}, {-1, -1}}};
     for (const auto& [right, down] : steps) {

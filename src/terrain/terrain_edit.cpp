@@ -31,8 +31,8 @@ std::vector<RowSums> row_sums(const Raster& ground) {
 
 double mean_around(const Grid& grid, const std::vector<RowSums>& rows, std::size_t cell,
                    double radius) {
-  const int column = static_cast<int>(cell % grid.columns);
-  const int row = static_cast<int>(cell / grid.columns);
+  const int column = grid.column_at(cell);
+  const int row = grid.row_at(cell);
   constexpr double rounding = 1e-9;  // cells: a neighbour at the radius itself counts
   const auto cells = [](double distance, int count) {
     return static_cast<int>(std::min(distance + rounding, static_cast<double>(count)));

@@ -16,7 +16,8 @@ struct GraphicsCard {
   double memory = 0;       ///< bytes, all of it
   double free_memory = 0;  ///< bytes
 };
-/// Throws RunError where graphics_card_fault() has something to say.
+/// Waits for the card and gives back memory that the program kept for later, so that it counts as
+/// free. Throws RunError where graphics_card_fault() has something to say.
 GraphicsCard graphics_card();
 
 /// What the card does at most, measured in a moment: copies in its memory, bytes/s read and written

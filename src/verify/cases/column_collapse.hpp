@@ -28,8 +28,8 @@ struct ColumnShape {
 class ColumnCollapse {
  public:
   /// The spacing of the model divides the sides of the column. With a seed particles are displaced
-  /// at random by up to a twentieth of it: where a single outcome hangs on chance, several are
-  /// averaged.
+  /// at random by up to a twentieth of it: where a single outcome is a matter of chance, several
+  /// are averaged.
   ColumnCollapse(const ColumnShape& shape, FlowModel model, const NumericsCase& numerics,
                  std::uint64_t seed = 0)
       : dp_(model.spacing), density_(model.state.rho0) {

@@ -165,7 +165,7 @@ class Incline {
         "1.6 s. Then they mix: speeds across the bed grow from 0.003 to 0.05 m/s, the layer "
         "swells by 1 to 4 % and slows down. With twice the speed of sound that begins at 1.3 s. "
         "This method has no particle shifting; the fast one, which has, keeps its speed",
-        "c = 50 Pa: the layer is as thick as it was and in order. Its mean speed hangs on the "
+        "c = 50 Pa: the layer is as thick as it was and in order. Its mean speed depends on the "
         "spacing: after 0.65 s it is 1.435 m/s at 10 particles and 1.455 m/s at 20",
         "Bingham: the surface is 2.7 % too fast at 10 particles and 2.3 % at 20, after 1.5 s. A "
         "sum over the kernel smooths the edge of the plug (see slit); whether that is all of it "

@@ -1,7 +1,7 @@
 // A block of debris runs down a slope of 33 degrees onto one of 5 and comes to rest there: the fast
 // method against the explicit one with the same physics. Infinitely wide, by a period across.
 //
-// A single run-out hangs on chance, so the means of starts are compared whose particles are
+// A single run-out is a matter of chance, so the means of starts are compared whose particles are
 // displaced at random.
 
 #include <algorithm>
