@@ -101,7 +101,7 @@ TEST(Inflow, LeavesNoGapBehindTheLine) {
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     if (fluid.position[i].x > 5) continue;  // drops of the front are torn from the rest
     // Where the front thins out water tears, down to 3 % less (docs/method.md, Tension).
-    EXPECT_NEAR(fluid.density[i], 1000, fluid.position[i].x < 4.5 ? 10 : 30);
+    EXPECT_NEAR(fluid.density[i], 1000, fluid.position[i].x < 4.25 ? 10 : 30);
     stations.push_back(fluid.position[i].x);
   }
   std::ranges::sort(stations);
