@@ -87,7 +87,8 @@ std::size_t columns_of(const Particles& particles) {
   std::vector<std::pair<double, double>> columns;
   for (const Vec3d& x : particles.position) columns.emplace_back(x.x, x.y);
   std::ranges::sort(columns);
-  return static_cast<std::size_t>(std::ranges::unique(columns).begin() - columns.begin());
+  // Clang 14 does not read the ranges::unique of libstdc++ 12.
+  return static_cast<std::size_t>(std::unique(columns.begin(), columns.end()) - columns.begin());
 }
 
 /// Particles, and what each of their columns stands for in plan.
