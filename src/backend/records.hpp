@@ -50,4 +50,13 @@ struct alignas(32) ClosingRecord {
 };
 static_assert(sizeof(ClosingRecord) == 32);
 
+/// What a product with the viscous matrix reads of a neighbour (physics/pair/viscous_flux.hpp).
+struct alignas(64) ViscousRecord {
+  std::int32_t x, y, z;
+  float vx, vy, vz;        ///< the vector that is multiplied, in m/s
+  float half_gradient[9];  ///< of it, 1/s: of vx, of vy, of vz
+  float unused;
+};
+static_assert(sizeof(ViscousRecord) == 64);
+
 }  // namespace sabo

@@ -4,6 +4,7 @@
 #include "backend/heat_account.hpp"
 #include "backend/sweeps/flow_sums.hpp"
 #include "backend/viscous_solver.hpp"
+#include "physics/pair/viscous_flux.hpp"
 
 namespace sabo {
 
@@ -87,12 +88,12 @@ struct ViscousHeat {
 
 /// What the solve has left undone, as one change of velocity for all.
 struct FindOwed {
-  Dot left;
+  Vec3d left;
   const Total* inertia;
   Vec3d* owed;
   SABO_HD void operator()(std::size_t) const {
     const double all = inertia->value;
-    *owed = all > 0 ? (1 / all) * Vec3d{left.x, left.y, left.z} : Vec3d{};
+    *owed = all > 0 ? (1 / all) * left : Vec3d{};
   }
 };
 
@@ -123,7 +124,9 @@ class VelocityStep {
  public:
   using Numbers = typename Executor::template Array<T>;
 
-  Numbers conductance_sum;  ///< row sums of -K off its diagonal, kg/s, in
+  Numbers conductance_sum;  ///< of each particle, kg/s, in
+  /// Of the moments of the conductances (physics/pair/viscous_flux.hpp), for the product.
+  typename Executor::template Array<Sym3<T>> inverse_root;
   ViscousSolver<T, Executor> solver;
   typename Executor::template Array<ViscousHeat> heat;  ///< one: of a step that converged, out
 
@@ -131,6 +134,7 @@ class VelocityStep {
   void reset(const Executor& on, std::size_t particles) {
     for (Numbers* numbers : {&conductance_sum, &mass_, &drag_, &none_})
       on.zero(*numbers, particles);
+    on.zero(inverse_root, particles);
     on.zero(guess_, particles);
     on.zero(owed_, 1);
     solver.reset(on, particles);
@@ -172,8 +176,8 @@ class VelocityStep {
 
   /// Memory of the vectors.
   std::size_t bytes() const {
-    const std::size_t numbers = conductance_sum.size() + mass_.size() + drag_.size() + none_.size();
-    return numbers * sizeof(T) + guess_.size() * sizeof(Vec3d) + solver.bytes();
+    constexpr std::size_t each = 4 * sizeof(T) + sizeof(Sym3<T>) + sizeof(Vec3d);
+    return each * guess_.size() + solver.bytes();
   }
 
  private:

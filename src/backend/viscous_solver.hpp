@@ -6,31 +6,22 @@
 
 #include "backend/flow_view.hpp"
 #include "backend/host_executor.hpp"
+#include "backend/sweeps/flow_sums.hpp"
 #include "backend/viscous_solve.hpp"
 #include "math/quad.hpp"
 #include "math/scalar.hpp"
 
 namespace sabo {
 
-/// Three scalar products, one for each component.
-struct Dot {
-  double x = 0, y = 0, z = 0;
-  SABO_HD void join(const Dot& other) {
-    x += other.x;
-    y += other.y;
-    z += other.z;
-  }
-};
-
 /// What an iteration wants to know of the residual.
 struct ResidualSums {
-  Dot energy;    ///< residual . residual / diagonal
-  Dot size;      ///< |residual / mass|^2
-  Dot residual;  ///< sum
+  double energy = 0;  ///< residual . residual / diagonal
+  Vec3d size;         ///< |residual / mass|^2 by component
+  Vec3d residual;     ///< sum
   SABO_HD void join(const ResidualSums& other) {
-    energy.join(other.energy);
-    size.join(other.size);
-    residual.join(other.residual);
+    energy += other.energy;
+    size += other.size;
+    residual += other.residual;
   }
   SABO_HD double largest() const { return larger(size.x, larger(size.y, size.z)); }
 };
@@ -51,10 +42,9 @@ struct SolverView {
     const double inverse = 1 / static_cast<double>(diagonal[i]);
     const double per_mass = 1 / static_cast<double>(mass[i]);
     const double x = r.x, y = r.y, z = r.z;
-    sums.join(
-        {{x * x * inverse, y * y * inverse, z * z * inverse},
-         {x * x * per_mass * per_mass, y * y * per_mass * per_mass, z * z * per_mass * per_mass},
-         {x, y, z}});
+    sums.join({(x * x + y * y + z * z) * inverse,
+               (per_mass * per_mass) * Vec3d{x * x, y * y, z * z},
+               {x, y, z}});
   }
 };
 
@@ -72,18 +62,18 @@ struct StartSolve {
   }
 };
 
-/// Component by component.
+/// a / b, and nothing of nothing.
 template <class T>
-SABO_HD Vec3<T> ratios(const Dot& a, const Dot& b) {
-  return {T(b.x > 0 ? a.x / b.x : 0), T(b.y > 0 ? a.y / b.y : 0), T(b.z > 0 ? a.z / b.z : 0)};
+SABO_HD T share_of(double a, double b) {
+  return T(b > 0 ? a / b : 0);
 }
 
 /// How far a solve has come. It stays where the vectors are: no iteration waits for the host.
 template <class T>
 struct SolveProgress {
-  Dot energy;        ///< of the residual
-  Dot residual_sum;  ///< over the rows, kg m/s
-  Vec3<T> keep;      ///< share of the last direction in the next one
+  double energy = 0;   ///< of the residual
+  Vec3d residual_sum;  ///< over the rows, kg m/s
+  T keep = 0;          ///< share of the last direction in the next one
   double enough = 0;
   int iterations = 0;
   bool has_ended = false;
@@ -122,17 +112,17 @@ template <class T>
 struct AdvanceSolve {
   SolverView<T> on;
   const SolveProgress<T>* progress;
-  const Dot* curvature;
+  const Total* curvature;
   SABO_HD void operator()(std::size_t k, ResidualSums& sums) const {
     if (progress->has_ended) return;
-    const Vec3<T> length = ratios<T>(progress->energy, *curvature);
+    const T length = share_of<T>(progress->energy, curvature->value);
     const std::size_t i = on.rows[k];
     const Quad<T>& p = on.direction[i];
     const Quad<T>& q = on.product[i];
     Quad<T>& x = on.change[i];
     Quad<T>& r = on.residual[i];
-    x = {x.x + length.x * p.x, x.y + length.y * p.y, x.z + length.z * p.z};
-    r = {r.x - length.x * q.x, r.y - length.y * q.y, r.z - length.z * q.z};
+    x = {x.x + length * p.x, x.y + length * p.y, x.z + length * p.z};
+    r = {r.x - length * q.x, r.y - length * q.y, r.z - length * q.z};
     on.measure(i, sums);
   }
 };
@@ -145,7 +135,7 @@ struct JudgeSolve {
   SolveProgress<T>* progress;
   SABO_HD void operator()(std::size_t) const {
     if (progress->has_ended) return;
-    progress->keep = ratios<T>(sums->energy, progress->energy);
+    progress->keep = share_of<T>(sums->energy, progress->energy);
     ++progress->iterations;
     progress->take(*sums, most);
   }
@@ -158,19 +148,18 @@ struct TurnSolve {
   const SolveProgress<T>* progress;
   SABO_HD void operator()(std::size_t k) const {
     if (progress->has_ended) return;
-    const Vec3<T> keep = progress->keep;
+    const T keep = progress->keep;
     const std::size_t i = on.rows[k];
     const T inverse = T(1) / on.diagonal[i];
     const Quad<T>& r = on.residual[i];
     Quad<T>& p = on.direction[i];
-    p = {inverse * r.x + keep.x * p.x, inverse * r.y + keep.y * p.y, inverse * r.z + keep.z * p.z};
+    p = {inverse * r.x + keep * p.x, inverse * r.y + keep * p.y, inverse * r.z + keep * p.z};
   }
 };
 
 /// Conjugate gradients with the diagonal as preconditioner (Hestenes & Stiefel 1952; Saad 2003,
-/// algorithm 9.1) for the three components of one symmetric matrix at once. Products are in the
-/// precision of T, scalar products in double precision in a fixed order: the same bits for any
-/// number of threads.
+/// algorithm 9.1) for a symmetric matrix of 3 x 3 blocks. Products are in the precision of T,
+/// scalar products in double precision in a fixed order: the same bits for any number of threads.
 template <class T, class Executor = HostExecutor>
 class ViscousSolver {
  public:
@@ -181,9 +170,9 @@ class ViscousSolver {
   Vector residual;   ///< of a change of zero, in; kg m/s
   Vector direction;  ///< handed to the product
   Vector product;
-  typename Executor::template Array<Dot> curvature;  ///< one: direction . product
-  typename Executor::template Array<T> diagonal;     ///< kg, in
-  Dot residual_sum;         ///< over the rows, of the solution, out; kg m/s
+  typename Executor::template Array<Total> curvature;  ///< one: direction . product
+  typename Executor::template Array<T> diagonal;       ///< kg, in
+  Vec3d residual_sum;       ///< over the rows, of the solution, out; kg m/s
   bool runs_ahead = false;  ///< whether iterations start before it is known that they are wanted
 
   void reset(const Executor& on, std::size_t particles) {

@@ -33,6 +33,7 @@ namespace sabo {
 ///   w rho (P rho + g.x), its sum 1                  10                 -               -
 ///   pressure_force 6, its sum 3                      -                 9               -
 ///   pair_viscosity 4, conductance 7, its sum 1       -                12               -
+///   its moments 9, their sum 6                       -                15               -
 ///   filling 2, its gradient 7, near or not 1         -                10               -
 ///   velocity difference 3, mass of j 3               -                 -               6
 ///   continuity 7, its sum 1 with that of
@@ -42,7 +43,8 @@ namespace sabo {
 ///
 /// Shifting: separation 3, pair_geometry 12, continuity of the shift of j 7, its sum 1.
 ///
-/// An entry of the matrix in the viscous solve: three differences, three multiply-adds, 9; what the
+/// A pair in both sweeps of a product of the viscous solve: twice separation 3 and velocity
+/// difference 3, gradient 21, its transposed one times x 15 and added 3, both sums 12; what the
 /// solve does with whole vectors does not count.
 double flops_of_pair(std::string_view pass);
 

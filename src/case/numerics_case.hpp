@@ -63,7 +63,7 @@ struct NumericsCase {
   double sleep_time = 0.5;
   double crowding_tolerance = 0.03;
   TensionAtSurface tension_at_surface = TensionAtSurface::by_law;
-  double particle_shifting = 20;
+  double particle_shifting = 40;
   double gravity = 9.81;
 
   template <class V>
@@ -198,7 +198,7 @@ struct NumericsCase {
     const bool is_paper = method == Method::paper;
     diffusion_form = is_paper ? DiffusionForm::molteni : DiffusionForm::fourtakas;
     cfl = is_paper ? 0.2 : 0.6;
-    particle_shifting = is_paper ? 0 : 20;
+    particle_shifting = is_paper ? 0 : 40;
   }
 };
 

@@ -48,9 +48,32 @@ SABO_HD constexpr Sym3<T> symmetric_product(const Vec3<T>& a, const Vec3<T>& b) 
           T(2) * a.y * b.y, a.y * b.z + a.z * b.y, T(2) * a.z * b.z};
 }
 
+/// s a (x) a.
+template <class T>
+SABO_HD constexpr Sym3<T> scaled_square(T s, const Vec3<T>& a) {
+  const Vec3<T> b = s * a;
+  return {b.x * a.x, b.x * a.y, b.x * a.z, b.y * a.y, b.y * a.z, b.z * a.z};
+}
+
+/// a a, which is symmetric as well.
+template <class T>
+SABO_HD constexpr Sym3<T> squared(const Sym3<T>& a) {
+  const Vec3<T> x = a * Vec3<T>{a.xx, a.xy, a.xz};
+  const Vec3<T> y = a * Vec3<T>{a.xy, a.yy, a.yz};
+  const Vec3<T> z = a * Vec3<T>{a.xz, a.yz, a.zz};
+  return {x.x, x.y, x.z, y.y, y.z, z.z};
+}
+
 template <class T>
 SABO_HD constexpr Sym3<T> isotropic(T s) {
   return {s, T(0), T(0), s, T(0), s};
+}
+
+SABO_HD constexpr Sym3<float> in_single(const Sym3<double>& a) {
+  return {float(a.xx), float(a.xy), float(a.xz), float(a.yy), float(a.yz), float(a.zz)};
+}
+SABO_HD constexpr Sym3<double> in_double(const Sym3<float>& a) {
+  return {a.xx, a.xy, a.xz, a.yy, a.yz, a.zz};
 }
 
 }  // namespace sabo

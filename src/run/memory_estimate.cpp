@@ -10,7 +10,7 @@ constexpr double bytes_of_program = 75e6;   // libraries and their tables
 constexpr double bytes_per_cell = 100;      // elevations twice, and the maps
 constexpr double bytes_per_particle = 400;  // fields, rates, start of the step, records
 constexpr double bytes_of_watch = 150;      // for rest: positions at six times
-constexpr double bytes_of_solve = 400;      // walls, rows and vectors of the implicit viscosity
+constexpr double bytes_of_solve = 490;      // walls, rows and vectors of the implicit viscosity
 constexpr double bytes_per_neighbour = 5;   // its index, in vectors that are not quite full
 constexpr double bytes_per_near_pair = 12;  // of the fast method: index and matrix, the same
 constexpr double list_radius_over_kernel = 1.15;
@@ -21,7 +21,7 @@ constexpr double ground_beside_flow = 11;  // spacings across: a list's radius a
 // Of the backend cuda (backend/device/device_backend.hpp), by what is allocated; per particle.
 constexpr double card_bytes_of_any = 128 + 9;    // fields; numbers of neighbours
 constexpr double card_bytes_of_fluid = 32 + 29;  // rates; place at the last list, whether awake
-constexpr double card_bytes_of_fast = 388;       // strain, walls, filling, solver, records
+constexpr double card_bytes_of_fast = 448;       // strain, walls, filling, solver, records
 constexpr double card_bytes_of_shift = 32;
 constexpr double card_bytes_of_paper = 256;        // strain, stress, start of the step, records
 constexpr double card_bytes_of_ground_fast = 112;  // density rate, records, weights

@@ -8,54 +8,26 @@
 #include "support/clouds.hpp"
 #include "support/ground.hpp"
 #include "support/scenes.hpp"
+#include "support/viscous_step.hpp"
 #include <gtest/gtest.h>
 
 #include "backend/cpu/cpu_backend.hpp"
 #include "backend/reference/reference_backend.hpp"
-#include "physics/pair/forces.hpp"
 #include "terrain/ground.hpp"
 
 namespace sabo {
 namespace {
 
 using test::add_particle;
-
-/// The oracle, with what it knows of the walls laid open.
-struct OpenedReference : ReferenceBackend {
-  using HostBackend::wall_drag_;
-  using HostBackend::wall_share_;
-  using ReferenceBackend::ReferenceBackend;
-};
-
-FlowModel viscous(double viscosity) {
-  FlowModel model = test::plain_model(0.1, 20, viscosity);
-  model.gravity = {};
-  return model;
-}
-
-void set_viscosity(Particles& fluid, double viscosity) {
-  fluid.viscosity.assign(fluid.size(), viscosity);
-}
-
-/// Everything before the solve.
-void prepare(Backend& backend) {
-  backend.find_neighbours();
-  backend.pressure();
-  backend.wall_pressure();
-  backend.near_forces();
-  backend.wall_resistance();
-}
+using test::kinetic_energy_of;
+using test::OpenedReference;
+using test::prepare;
+using test::set_viscosity;
+using test::viscous;
 
 Vec3d momentum_of(const Particles& fluid) {
   Vec3d sum;
   for (std::size_t i = 0; i < fluid.size(); ++i) sum += fluid.mass[i] * fluid.velocity[i];
-  return sum;
-}
-
-double kinetic_energy_of(const Particles& fluid) {
-  double sum = 0;
-  for (std::size_t i = 0; i < fluid.size(); ++i)
-    sum += 0.5 * fluid.mass[i] * dot(fluid.velocity[i], fluid.velocity[i]);
   return sum;
 }
 
@@ -195,50 +167,6 @@ TEST(ImplicitStep, KeepsMomentumWithoutWalls) {
   }
 }
 
-/// Solves A x = b by elimination.
-std::vector<double> solved(std::vector<std::vector<double>> a, std::vector<double> b) {
-  const std::size_t n = b.size();
-  for (std::size_t k = 0; k < n; ++k)  // positive definite: no pivoting
-    for (std::size_t i = k + 1; i < n; ++i) {
-      const double f = a[i][k] / a[k][k];
-      for (std::size_t j = k; j < n; ++j) a[i][j] -= f * a[k][j];
-      b[i] -= f * b[k];
-    }
-  for (std::size_t i = n; i-- > 0;) {
-    for (std::size_t j = i + 1; j < n; ++j) b[i] -= a[i][j] * b[j];
-    b[i] /= a[i][i];
-  }
-  return b;
-}
-
-/// (M + dt K + dt D) v' = M (v + dt a) + dt D w, written out for the component c.
-std::vector<double> dense_step(const OpenedReference& backend, const Particles& fluid, double dt,
-                               int c) {
-  const auto component = [c](const Vec3d& v) { return c == 0 ? v.x : c == 1 ? v.y : v.z; };
-  const auto kernel = backend.model().kernel<double>();
-  const std::size_t n = fluid.size();
-  std::vector<std::vector<double>> matrix(n, std::vector<double>(n, 0));
-  std::vector<double> right(n);
-  for (std::size_t i = 0; i < n; ++i) {
-    const WallShare& wall = backend.wall_share_[i];
-    const double drag = dt * backend.wall_drag_[i];
-    matrix[i][i] += fluid.mass[i] + drag;
-    right[i] = fluid.mass[i] * component(fluid.velocity[i] + dt * backend.accelerations()[i]);
-    if (wall.share > 0) right[i] += drag * component(wall.velocity) / wall.share;
-    for (std::size_t j = 0; j < n; ++j) {
-      if (i == j) continue;
-      const double r = norm(fluid.position[i] - fluid.position[j]);
-      const double mu =
-          backend.model().two_point_scale() * 2 / (1 / fluid.viscosity[i] + 1 / fluid.viscosity[j]);
-      const double a =
-          -2 * mu * fluid.mass[i] * fluid.mass[j] / (1000.0 * 1000.0) * kernel.gradient_factor(r);
-      matrix[i][i] += dt * a;
-      matrix[i][j] -= dt * a;
-    }
-  }
-  return solved(matrix, right);
-}
-
 // A block slides along a bed without pressure or viscosity: nothing may hold it back.
 TEST(ArtificialViscosity, IsNoFrictionAtWalls) {
   for (const test::On kind : test::backends()) {
@@ -250,28 +178,6 @@ TEST(ArtificialViscosity, IsNoFrictionAtWalls) {
     for (Vec3d& v : backend->fluid().velocity) v = {2, 0, 0};
     prepare(*backend);
     for (const Vec3d& a : backend->accelerations()) EXPECT_LT(norm(a), 1e-9);
-  }
-}
-
-TEST(ImplicitStep, EqualsADenseSolve) {
-  FlowModel model = viscous(1);
-  model.gravity = {1, 0, -9.81};
-  model.walls_move = true;
-  OpenedReference backend(model);
-  test::fill(backend, {}, 4);
-  for (Vec3d& v : backend.boundary().velocity) v = {0.5, 0.1, 0};
-  for (std::size_t i = 0; i < backend.fluid().size(); ++i)
-    backend.fluid().viscosity[i] = 1 + 50 * (i % 3);
-  prepare(backend);
-  const double dt = 0.01;
-  std::array<std::vector<double>, 3> expected;
-  for (int c = 0; c < 3; ++c) expected[c] = dense_step(backend, backend.fluid(), dt, c);
-  ASSERT_TRUE(backend.advance_velocity(dt, 1e-12, 1000).converged);
-  for (std::size_t i = 0; i < backend.fluid().size(); ++i) {
-    const Vec3d& v = backend.fluid().velocity[i];
-    ASSERT_NEAR(v.x, expected[0][i], 1e-9);
-    ASSERT_NEAR(v.y, expected[1][i], 1e-9);
-    ASSERT_NEAR(v.z, expected[2][i], 1e-9);
   }
 }
 

@@ -30,7 +30,7 @@ struct Problem {
     const auto multiply = [this](const SolveProgress<double>* progress) {
       ++(progress->has_ended ? needless : products);
       if (progress->has_ended) return;
-      Dot sum;
+      Total sum;
       for (int i = 0; i < 3; ++i) {
         Quad<double> q{};
         for (int j = 0; j < 3; ++j) {
@@ -39,7 +39,7 @@ struct Problem {
         }
         solver.product[i] = q;
         const Quad<double>& p = solver.direction[i];
-        sum.join({p.x * q.x, p.y * q.y, p.z * q.z});
+        sum.join({p.x * q.x + p.y * q.y + p.z * q.z});
       }
       solver.curvature[0] = sum;
     };
@@ -47,8 +47,8 @@ struct Problem {
   }
 };
 
-// Conjugate gradients are exact after as many steps as there are unknowns.
-TEST(ViscousSolver, SolvesThreeComponentsInAsManyStepsAsUnknowns) {
+// Conjugate gradients are exact after as many steps as the matrix has eigenvalues.
+TEST(ViscousSolver, SolvesThreeComponentsInAsManyStepsAsEigenvalues) {
   Problem problem;
   const ViscousSolve outcome = problem.solve(1e-12, 10);
   EXPECT_TRUE(outcome.converged);

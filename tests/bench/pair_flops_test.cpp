@@ -7,6 +7,7 @@
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
+#include "physics/pair/viscous_flux.hpp"
 
 namespace sabo {
 namespace {
@@ -97,7 +98,10 @@ TEST(PairFlops, OfForceAndMatrixAreThoseOfItsFormulas) {
     Vec3<Counted> acceleration = vector, gradient = vector;
     Counted conductance(0), filling(0);
     acceleration += pressure_force(pair, one, one, one);
-    conductance += viscous_conductance(pair, pair_viscosity(one, one), one, one);
+    const Counted a = viscous_conductance(pair, pair_viscosity(one, one), one, one);
+    conductance += a;
+    Sym3<Counted> moments = tensor;
+    moments += scaled_square(a, pair.x);
     filling += one * kernel.value(sqrt(pair.r2)) * positive(pair.r2);
     gradient += (one * pair.gradient) * pair.x;
     const Counted is_near = pair.gradient * pair.r2;
@@ -131,12 +135,15 @@ TEST(PairFlops, OfShiftingAreThoseOfItsFormulas) {
   EXPECT_EQ(flops_of_pair("shifting"), separation + formulas - kernel_constants);
 }
 
-TEST(PairFlops, OfTheViscousSolveAreThoseOfOneEntryOfItsMatrix) {
+TEST(PairFlops, OfTheViscousSolveAreThoseOfBothSweepsOfAProduct) {
   const int formulas = operations_of([&] {
-    Vec3<Counted> product = vector;
-    product += one * (vector - vector);
+    VelocityGradient<Counted> gradient;
+    gradient += outer_product(vector - vector, one * vector);
+    Vec3<Counted> flow = vector, weighted = vector;
+    flow += one * (vector - vector + transposed_times(gradient, vector));
+    weighted += one * vector;
   });
-  EXPECT_EQ(flops_of_pair("viscous solve"), formulas);
+  EXPECT_EQ(flops_of_pair("viscous solve"), 2 * separation + formulas);
 }
 
 TEST(PairFlops, AreZeroForAPassThatNobodyCounted) {

@@ -69,20 +69,24 @@ NearPairs matrix() {
   return near;
 }
 
-/// The product of the viscous solve; items are entries of the matrix.
+/// The product of the viscous solve; items are pairs.
 void register_product(const std::string& set, const PairSweeps& sweeps) {
   benchmark::RegisterBenchmark(("viscous_product/" + set).c_str(), [&](benchmark::State& state) {
     const NearPairs near = matrix();
     std::vector<std::uint32_t> row(rows);
     std::iota(row.begin(), row.end(), 0U);
-    const std::vector<Quad<float>> p(pairs, {1, 2, 3, 0});
+    const PairScale scale;
+    std::vector<ViscousRecord> records(pairs);
     std::vector<Quad<float>> q(rows);
     const std::vector<float> mass(rows, 1), drag(rows, 0.5f);
-    ViscousProductTask task{&near,       row.data(),  0,    rows,     p.data(),
-                            mass.data(), drag.data(), 0.1f, q.data(), {0, 0, 0}};
+    const std::vector<Sym3<float>> inverse_root(rows, isotropic(1.0f));
+    ViscousProductTask task{&scale,      &near,       row.data(), 0,        rows, records.data(),
+                            mass.data(), drag.data(), 0.1f,       q.data(), 0};
     for ([[maybe_unused]] auto unused : state) {
+      sweeps.half_gradient(
+          {&scale, &near, row.data(), 0, rows, inverse_root.data(), records.data()});
       sweeps.viscous_product(task);
-      benchmark::DoNotOptimize(task.dot[0]);
+      benchmark::DoNotOptimize(task.dot);
       benchmark::ClobberMemory();
     }
     state.SetItemsProcessed(state.iterations() * static_cast<std::int64_t>(near.size()));

@@ -62,7 +62,7 @@ Outcome sheared(double shifting, double time) {
 }
 
 TEST(ShearLayer, KeepsItsDepthAndSpeedWhereParticlesAreShifted) {
-  const Outcome shifted = sheared(20, 1.3);
+  const Outcome shifted = sheared(40, 1.3);
   EXPECT_NEAR(shifted.depth, 1, 0.01);
   EXPECT_NEAR(shifted.speed, 1, 0.02);
   const Outcome left = sheared(0, 1.3);

@@ -60,7 +60,8 @@ class CpuBackend : public HostBackend {
   std::vector<ClosingRecord> closing_;  ///< by particle; of walls
   NearPairs near_;
   VelocityStep<float> velocity_step_;
-  std::vector<std::array<double, 3>> dots_;
+  std::vector<ViscousRecord> viscous_;
+  std::vector<double> dots_;
 };
 
 }  // namespace sabo

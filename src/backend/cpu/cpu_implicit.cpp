@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 #include "backend/cpu/cpu_backend.hpp"
 #include "backend/cpu/parallel_blocks.hpp"
@@ -82,8 +83,8 @@ void CpuBackend::near_forces() {
       sweeps_.near_force({&scale_, &list_, flow_.data(), motion_.data(), needs_motion,
                           awake_.data(), chunk_rows_[chunk.first], chunk_rows_[chunk.last],
                           model_.gravity, &writer, acceleration_.data(),
-                          velocity_step_.conductance_sum.data(), artificial_heat_.data(),
-                          filling_.data(), wall_share_.data()});
+                          velocity_step_.conductance_sum.data(), velocity_step_.inverse_root.data(),
+                          artificial_heat_.data(), filling_.data(), wall_share_.data()});
     });
   }
   load_bodies_by_pressure();
@@ -93,20 +94,34 @@ void CpuBackend::near_forces() {
 ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
   const PassClock clock(pass_times_, "viscous solve");
   const std::size_t blocks = (awake_.size() + sweep_block - 1) / sweep_block;
-  dots_.assign(blocks, {});
+  dots_.assign(blocks, 0);
+  auto& solver = velocity_step_.solver;
+  viscous_.resize(fluid_.size());
+  over(fluid_.size(), threads(),
+       [&](std::size_t i) { viscous_[i] = {flow_[i].x, flow_[i].y, flow_[i].z, 0, 0, 0, {}, 0}; });
+  const auto pack_direction = [&](std::size_t i) {
+    const Quad<float>& p = solver.direction[i];
+    ViscousRecord& record = viscous_[i];
+    record.vx = p.x;
+    record.vy = p.y;
+    record.vz = p.z;
+  };
   const auto multiply = [&](const float* mass, const float* drag, const SolveProgress<float>*) {
-    auto& solver = velocity_step_.solver;
     pass_times_["viscous solve"].pairs += near_.size();
+    over_rows(awake_, threads(), pack_direction);
+    over_rows(driven_, threads(), pack_direction);
+    parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
+      sweeps_.half_gradient({&scale_, &near_, awake_.data(), range.first, range.last,
+                             velocity_step_.inverse_root.data(), viscous_.data()});
+    });
     parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
       ViscousProductTask task{
-          &near_, awake_.data(), range.first,           range.last, solver.direction.data(), mass,
-          drag,   float(dt),     solver.product.data(), {0, 0, 0}};
+          &scale_, &near_, awake_.data(), range.first,           range.last, viscous_.data(),
+          mass,    drag,   float(dt),     solver.product.data(), 0};
       sweeps_.viscous_product(task);
-      dots_[range.first / sweep_block] = {task.dot[0], task.dot[1], task.dot[2]};
+      dots_[range.first / sweep_block] = task.dot;
     });
-    Dot sum;
-    for (const auto& dot : dots_) sum.join({dot[0], dot[1], dot[2]});
-    solver.curvature[0] = sum;
+    solver.curvature[0] = {std::accumulate(dots_.begin(), dots_.end(), 0.0)};
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
                                                       {driven_.data(), driven_.size()}, dt,

@@ -14,6 +14,7 @@
 #include "math/quad.hpp"
 #include "math/sym3.hpp"
 #include "math/vec3.hpp"
+#include "physics/pair/viscous_flux.hpp"
 
 namespace sabo {
 
@@ -74,10 +75,11 @@ struct NearForceTask {
   const std::uint32_t* rows;  ///< particles to work on
   std::size_t first, last;    ///< range of `rows`, all of one chunk
   Vec3d gravity;
-  NearPairs::Writer* near;  ///< out
-  Vec3d* acceleration;      ///< out, this and those below by particle
-  float* conductance_sum;   ///< kg/s
-  double* artificial_heat;  ///< W/kg
+  NearPairs::Writer* near;    ///< out
+  Vec3d* acceleration;        ///< out, this and those below by particle
+  float* conductance_sum;     ///< kg/s
+  Sym3<float>* inverse_root;  ///< of the moments of the conductances
+  double* artificial_heat;    ///< W/kg
   Filling* filling;
   WallShare* wall;
 };
@@ -109,17 +111,29 @@ struct ShiftTask {
   float* sum;  ///< out, of those of the range one after the other
 };
 
-/// q = m p + dt (sum_j a_ij (p_i - p_j) + drag p).
-struct ViscousProductTask {
+/// Half of the gradient of the vector in the records, into them: the first sweep of a product with
+/// the viscous matrix (physics/pair/viscous_flux.hpp).
+struct HalfGradientTask {
+  const PairScale* scale;
   const NearPairs* near;
   const std::uint32_t* rows;
   std::size_t first, last;
-  const Quad<float>* p;
+  const Sym3<float>* inverse_root;
+  ViscousRecord* records;
+};
+
+/// The second: q = m p + dt (sum_j a_ij (p_i - p_j + (G_i + G_j)^T x_ij / 2) + drag p).
+struct ViscousProductTask {
+  const PairScale* scale;
+  const NearPairs* near;
+  const std::uint32_t* rows;
+  std::size_t first, last;
+  const ViscousRecord* records;  ///< p and half of its gradient G
   const float* mass;
   const float* drag;  ///< of the walls, kg/s
   float dt;
   Quad<float>* q;  ///< out
-  double dot[3];   ///< out, p.q of the range by component
+  double dot;      ///< out, p.q of the range
 };
 
 /// The points of some runs within a radius of a place. The arrays must reach PairList::lanes beyond
@@ -147,6 +161,7 @@ struct PairSweeps {
   void (*wall_closing)(const WallClosingTask&);
   void (*near_motion)(const NearMotionTask&);
   void (*shift)(const ShiftTask&);
+  void (*half_gradient)(const HalfGradientTask&);
   void (*viscous_product)(ViscousProductTask&);
   /// Returns how many it wrote.
   std::size_t (*near_search)(const NearTask&);

@@ -224,7 +224,8 @@ class DeviceBackend : public Backend {
   Array<float> wall_weight_;
   Array<ClosingRecord> closings_;
   VelocityStep<float, Executor> velocity_step_;
-  Array<StepHeat> step_heat_;  // one, as those below
+  Array<VelocityGradient<float>> half_gradient_;  // of the direction of the solve; zero at no row
+  Array<StepHeat> step_heat_;                     // one, as those below
   Array<ExplicitHeat> explicit_heat_;
   Array<SoundHeat> sound_heat_;
   Array<HeatAccount> account_;  // one

@@ -39,8 +39,10 @@ void DeviceBackend<Executor>::pack_motion_beside() {
 template <class Executor>
 void DeviceBackend<Executor>::near_forces() {
   need_implicit_arrays();
-  if (velocity_step_.conductance_sum.size() != fluid_.size())
+  if (velocity_step_.conductance_sum.size() != fluid_.size()) {
     velocity_step_.reset(on_, fluid_.size());
+    on_.zero(half_gradient_, fluid_.size());
+  }
   const bool needs_motion = model_.artificial_viscosity > 0 || model_.walls_move;
   if (needs_motion) pack_motion_beside();
   {
@@ -48,7 +50,8 @@ void DeviceBackend<Executor>::near_forces() {
     const auto sweep = [&]<bool with_motion>() {
       sweep_over(awake_,
                  NearForceSweep<with_motion>{pair_sums(), flow_records_.data(), motion_.data(),
-                                             view(), velocity_step_.conductance_sum.data()});
+                                             view(), velocity_step_.conductance_sum.data(),
+                                             velocity_step_.inverse_root.data()});
     };
     needs_motion ? sweep.template operator()<true>() : sweep.template operator()<false>();
   }
@@ -72,12 +75,14 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double toleran
                                                        int most_iterations) {
   const Clock clock(*this, "viscous solve");
   auto& solver = velocity_step_.solver;
+  auto* half_gradient = half_gradient_.data();
   solver.runs_ahead = true;
   const auto multiply = [&](const float* mass, const float* drag,
                             const SolveProgress<float>* progress) {
-    const ViscousProduct product{
-        pair_sums(), flow_records_.data(),  awake_.data(), solver.direction.data(), mass, drag,
-        float(dt),   solver.product.data(), progress};
+    const ViscousPairs pairs{pair_sums(), flow_records_.data(), solver.direction.data(), progress};
+    sweep_over(awake_, HalfGradientSweep{pairs, velocity_step_.inverse_root.data(), half_gradient});
+    const ViscousProduct product{pairs, awake_.data(), half_gradient,        mass,
+                                 drag,  float(dt),     solver.product.data()};
     on_.sweep_and_sum(awake_.size(), product, solver.curvature);
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), awake(), driven(), dt, tolerance,

@@ -205,6 +205,7 @@ void DeviceBackend<Executor>::correct(double dt) {
 template <class Executor>
 std::size_t DeviceBackend<Executor>::device_bytes() const {
   return fluid_.bytes() + boundary_.bytes() + velocity_step_.bytes() +
+         half_gradient_.size() * sizeof(VelocityGradient<float>) +
          bytes_of(half_space_, slice_starts_, entries_, fluid_neighbours_, neighbours_,
                   list_position_, awake_, touched_, driven_, driven_walls_, has_neighbours_,
                   strain_, density_rate_, acceleration_, motion_) +

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "backend/device/pair_sweeps.hpp"
+#include "backend/device/viscous_pair_sweeps.hpp"
 #include "backend/sweeps/shifting.hpp"
 #include "backend/viscous_solver.hpp"
 #include "physics/pair/wall_contact.hpp"
@@ -87,12 +87,6 @@ struct PackMotionBeside {
   }
 };
 
-/// Entry of the viscous matrix, kg/s.
-SABO_HD inline float conductance(const PairGeometry<float>& pair, const FlowRecord& i,
-                                 const FlowRecord& j) {
-  return viscous_conductance(pair, pair_viscosity(i.viscosity, j.viscosity), i.volume, j.volume);
-}
-
 /// Acceleration by the body force and pressure, the row sum of the viscous matrix, and where the
 /// walls are. `with_motion`: for artificial viscosity and moving walls.
 template <bool with_motion>
@@ -102,15 +96,18 @@ struct NearForceSweep {
   const MotionRecord* motion;
   FlowView flow;
   float* conductance_sum;
+  Sym3<float>* inverse_root;
 
   struct Sums {
     Vec3f acceleration;
     float conductance = 0, artificial_heat = 0;
+    Sym3<float> moments;  // of the conductances
     float filling = 0, share = 0;
     Vec3f filling_gradient, gradient, wall_velocity;
     SABO_HD void join(const Sums& other) {
       acceleration += other.acceleration;
       conductance += other.conductance;
+      moments += other.moments;
       artificial_heat += other.artificial_heat;
       filling += other.filling;
       share += other.share;
@@ -136,6 +133,7 @@ struct NearForceSweep {
     if constexpr (with_motion)
       if (flow.artificial_heat) flow.artificial_heat[i] = sums.artificial_heat;
     conductance_sum[i] = sums.conductance;
+    inverse_root[i] = in_single(sabo::inverse_root(in_double(sums.moments), pairs.scale.dimension));
     flow.filling[i] = {own + sums.filling + sums.share,
                        in_double(sums.filling_gradient + sums.gradient)};
     flow.wall[i] = {sums.share, in_double(sums.gradient), in_double(sums.wall_velocity)};
@@ -147,7 +145,9 @@ struct NearForceSweep {
     const FlowRecord j = records[index];
     const auto pair = pairs.geometry(me, j);
     sums.acceleration += pressure_force(pair, me.pressure, j.pressure, j.mass);
-    sums.conductance += conductance(pair, me, j);
+    const float a = conductance(pair, me, j);
+    sums.conductance += a;
+    sums.moments += scaled_square(a, pair.x);
     sums.filling += j.volume * pairs.kernel().value(std::sqrt(pair.r2));
     sums.filling_gradient += (j.volume * pair.gradient) * pair.x;
     if constexpr (with_motion) {
@@ -167,53 +167,6 @@ struct NearForceSweep {
     sums.share += part;
     sums.gradient += (j.volume * pair.gradient) * pair.x;
     if constexpr (with_motion) sums.wall_velocity += part * PairSums::velocity(motion[index]);
-  }
-};
-
-/// q = m p + dt (sum_j a_ij (p_i - p_j) + drag p), and p.q. The entries a_ij are taken anew each
-/// time: to keep them would double the memory of the list.
-struct ViscousProduct {
-  PairSums pairs;
-  const FlowRecord* records;
-  const std::uint32_t* rows;
-  const Quad<float>* p;
-  const float* mass;
-  const float* drag;
-  float dt;
-  Quad<float>* q;
-  const SolveProgress<float>* progress;  // may be none
-
-  struct Sums {
-    Vec3f flow;
-    SABO_HD void join(const Sums& other) { flow += other.flow; }
-  };
-
-  SABO_HD bool is_needless() const { return progress != nullptr && progress->has_ended; }
-
-  SABO_HD Sums sums_of(std::size_t place, RowShare share) const {
-    Sums sums;
-    if (is_needless()) return sums;
-    const std::size_t i = rows[place];
-    const FlowRecord me = records[i];
-    const Quad<float> mine = p[i];
-    for (std::uint32_t k = share.first; k < pairs.rows.fluid[i]; k += share.stride) {
-      const std::uint32_t index = pairs.rows.at(i, k);
-      const FlowRecord j = records[index];
-      const Quad<float> other = p[index];
-      const float a = conductance(pairs.geometry(me, j), me, j);
-      sums.flow += a * Vec3f{mine.x - other.x, mine.y - other.y, mine.z - other.z};
-    }
-    return sums;
-  }
-  SABO_HD void finish(std::size_t place, const Sums& sums, Dot& sum) const {
-    if (is_needless()) return;
-    const std::size_t i = rows[place];
-    const Quad<float> mine = p[i];
-    const Vec3f flow = Vec3f{drag[i] * mine.x, drag[i] * mine.y, drag[i] * mine.z} + sums.flow;
-    const Quad<float> result{mass[i] * mine.x + dt * flow.x, mass[i] * mine.y + dt * flow.y,
-                             mass[i] * mine.z + dt * flow.z};
-    q[i] = result;
-    sum.join({double(mine.x) * result.x, double(mine.y) * result.y, double(mine.z) * result.z});
   }
 };
 

@@ -51,10 +51,6 @@ struct PairSums {
   }
 };
 
-SABO_HD inline Sym3<double> in_double(const Sym3<float>& s) {
-  return {s.xx, s.xy, s.xz, s.yy, s.yz, s.zz};
-}
-
 /// Strain rate and density rate of all particles.
 struct MotionSweep {
   PairSums pairs;

@@ -25,6 +25,7 @@ void ReferenceBackend::near_forces() {
   for (const std::uint32_t i : awake_) {
     Vec3d a = model_.body_force(position(i));
     double conductance = 0, artificial_heat = 0;
+    Sym3<double> moments{};
     Filling filling{kernel.value(0) * mass(i) / rho0, {}};
     WallShare wall;
     for_each_neighbour(i, false, [&](std::size_t j, const PairGeometry<double>& pair) {
@@ -41,7 +42,10 @@ void ReferenceBackend::near_forces() {
         a += artificial.acceleration;
         artificial_heat += artificial.heat;
         const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
-        conductance += viscous_conductance(pair, two_point_scale * mu, mass(i) / rho0, volume);
+        const double pair_conductance =
+            viscous_conductance(pair, two_point_scale * mu, mass(i) / rho0, volume);
+        conductance += pair_conductance;
+        moments += scaled_square(pair_conductance, pair.x);
       } else {
         const double part = volume * kernel.value(std::sqrt(pair.r2));
         wall.share += part;
@@ -51,6 +55,7 @@ void ReferenceBackend::near_forces() {
     });
     acceleration_[i] = a;
     velocity_step_.conductance_sum[i] = conductance;
+    velocity_step_.inverse_root[i] = inverse_root(moments, model_.dimension);
     artificial_heat_[i] = artificial_heat;
     filling_[i] = filling;
     wall_share_[i] = wall;
@@ -60,23 +65,41 @@ void ReferenceBackend::near_forces() {
 
 ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
   const double rho0 = model_.state.rho0, two_point_scale = model_.two_point_scale();
+  auto& solver = velocity_step_.solver;
+  std::vector<VelocityGradient<double>> gradients(fluid_.size());  // halves
+  /// f(j, a, v, x) for the fluid j near i: conductance, differences of direction and place.
+  const auto over_pairs = [&](std::uint32_t i, const auto& f) {
+    const Quad<double>& p = solver.direction[i];
+    for_each_neighbour(i, true, [&](std::size_t j, const PairGeometry<double>& pair) {
+      const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
+      const double a =
+          viscous_conductance(pair, two_point_scale * mu, mass(i) / rho0, mass(j) / rho0);
+      const Quad<double>& pj = solver.direction[j];
+      f(j, a, Vec3d{p.x - pj.x, p.y - pj.y, p.z - pj.z}, pair.x);
+    });
+  };
+  const auto find_gradients = [&] {
+    for (const std::uint32_t i : awake_) {
+      VelocityGradient<double> sum;
+      over_pairs(i, [&](std::size_t, double a, const Vec3d& v, const Vec3d& x) {
+        sum += outer_product(v, a * x);
+      });
+      gradients[i] = half_gradient(sum, velocity_step_.inverse_root[i]);
+    }
+  };
   const auto multiply = [&](const double* masses, const double* drag,
                             const SolveProgress<double>*) {
-    auto& solver = velocity_step_.solver;
-    Dot sum;
+    find_gradients();
+    Total sum;
     for (const std::uint32_t i : awake_) {
       const Quad<double>& p = solver.direction[i];
       Vec3d flow = drag[i] * Vec3d{p.x, p.y, p.z};
-      for_each_neighbour(i, true, [&](std::size_t j, const PairGeometry<double>& pair) {
-        const double mu = pair_viscosity(fluid_.viscosity[i], fluid_.viscosity[j]);
-        const double a =
-            viscous_conductance(pair, two_point_scale * mu, mass(i) / rho0, mass(j) / rho0);
-        const Quad<double>& pj = solver.direction[j];
-        flow += a * Vec3d{p.x - pj.x, p.y - pj.y, p.z - pj.z};
+      over_pairs(i, [&](std::size_t j, double a, const Vec3d& v, const Vec3d& x) {
+        flow += a * (v + transposed_times(gradients[i], x) + transposed_times(gradients[j], x));
       });
       const Vec3d q = masses[i] * Vec3d{p.x, p.y, p.z} + dt * flow;
       solver.product[i] = {q.x, q.y, q.z};
-      sum.join({p.x * q.x, p.y * q.y, p.z * q.z});
+      sum.join({p.x * q.x + p.y * q.y + p.z * q.z});
     }
     solver.curvature[0] = sum;
   };

@@ -53,9 +53,9 @@ SABO_HD inline Vec3<T> morris_force(const PairGeometry<T>& pair, const Vec3<T>& 
   return damping * v_ij;
 }
 
-/// The same force as an entry of the symmetric matrix of the implicit solve, kg/s: i gains the
-/// momentum -a_ij v_ij per time. Positive. Without eta^2: F of this kernel is finite at r = 0, so
-/// nothing wants regularising, and at h/dp = 1.5 eta^2 takes 1 % of the viscosity away.
+/// The same force as a conductance of the implicit solve (physics/pair/viscous_flux.hpp), kg/s: i
+/// gains the momentum -a_ij v_ij per time. Positive. Without eta^2: F of this kernel is finite at
+/// r = 0, so nothing wants regularising, and at h/dp = 1.5 eta^2 takes 1 % of the viscosity away.
 template <class T>
 SABO_HD inline T viscous_conductance(const PairGeometry<T>& pair, T mu_ij, T volume_i, T volume_j) {
   return T(-2) * mu_ij * (volume_i * volume_j) * pair.gradient;

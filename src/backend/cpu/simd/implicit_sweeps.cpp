@@ -9,6 +9,7 @@
 #include "physics/pair/density.hpp"
 #include "physics/pair/forces.hpp"
 #include "physics/pair/strain_rate.hpp"
+#include "physics/pair/viscous_flux.hpp"
 #include "physics/pair/wall_contact.hpp"
 
 namespace sabo {
@@ -19,6 +20,10 @@ template <bool periodic>
 HWY_INLINE Vec separation_from(const Constants& s, const FlowRecord& me, const Columns& j) {
   const std::int32_t place[3] = {me.x, me.y, me.z};
   return separation<periodic>(s, place, j);
+}
+
+HWY_INLINE Sym3<double> sum_of_lanes(const Sym3<Lanes>& a) {
+  return {sum(a.xx), sum(a.xy), sum(a.xz), sum(a.yy), sum(a.yz), sum(a.zz)};
 }
 
 HWY_INLINE Columns flow_records(const FlowRecord* records, const std::uint32_t* k) {
@@ -89,6 +94,7 @@ void wall_closing_range(const WallClosingTask& task) {
 struct NearForceSums {
   Vec acceleration;
   Lanes conductance;
+  Sym3<Lanes> moments;  // of the conductances
   Lanes filling;
   Vec filling_gradient;
   Lanes share;
@@ -111,6 +117,7 @@ HWY_INLINE void add_fluid_forces(const Constants& s, const NearForceTask& task, 
     const Lanes a = viscous_conductance(pair, pair_viscosity(viscosity, j[6]), volume, j[5]) *
                     positive(pair.r2);
     sums.conductance += a;
+    sums.moments += scaled_square(a, pair.x);
     sums.filling += j[5] * s.kernel.value(sqrt(pair.r2)) * positive(pair.r2);
     sums.filling_gradient += (j[5] * pair.gradient) * pair.x;
     if constexpr (with_motion) {
@@ -171,6 +178,8 @@ void near_force_range(const NearForceTask& task) {
     task.acceleration[i] = task.gravity + Vec3d{sum(a.x), sum(a.y), sum(a.z)};
     task.artificial_heat[i] = sum(sums.artificial_heat);
     task.conductance_sum[i] = sum(sums.conductance);
+    task.inverse_root[i] =
+        in_single(inverse_root(sum_of_lanes(sums.moments), task.scale->dimension));
     const float share = sum(sums.share);
     const Vec full = sums.filling_gradient + n;
     task.filling[i] = {own * task.records[i].volume + sum(sums.filling) + share,
@@ -241,9 +250,7 @@ void near_motion_range(const NearMotionTask& task) {
     const float support = per_dimension * sum(sums.support);
     // Where a part of the kernel is empty every derivative comes out too small by about that part.
     const double scale = 1 / std::max(static_cast<float>(least_support), support);
-    const Sym3<Lanes>& e = sums.eps;
-    task.strain[i] =
-        scale * Sym3<double>{sum(e.xx), sum(e.xy), sum(e.xz), sum(e.yy), sum(e.yz), sum(e.zz)};
+    task.strain[i] = scale * sum_of_lanes(sums.eps);
     const float diffusion_rate = sum(sums.diffusion_rate);
     const float wall_rate = one_sided(sum(sums.wall_rate), task.records[i].excess);
     task.diffusion_rate[i] = diffusion_rate;
@@ -294,34 +301,6 @@ void near_motion(const NearMotionTask& task) {
 
 void shift(const ShiftTask& task) {
   task.scale->periodic ? shift_range<true>(task) : shift_range<false>(task);
-}
-
-void viscous_product(ViscousProductTask& task) {
-  // One neighbour at a time with its three components side by side: a row needs no transposition.
-  const hn::FixedTag<float, 4> quad;
-  const auto vector = [&](const Quad<float>& r) { return hn::Load(quad, &r.x); };
-  double dot[3] = {0, 0, 0};
-  for (std::size_t r = task.first; r < task.last; ++r) {
-    const std::size_t i = task.rows[r];
-    const NearPairs::Row row = task.near->row(i);
-    const std::size_t count = static_cast<std::size_t>(row.boundary - row.fluid);
-    const auto mine = vector(task.p[i]);
-    auto even = hn::Zero(quad), odd = hn::Zero(quad);
-    for (std::size_t k = 0; k < count; k += 2) {
-      even = hn::MulAdd(hn::Set(quad, row.conductance[k]),
-                        hn::Sub(mine, vector(task.p[row.fluid[k]])), even);
-      odd = hn::MulAdd(hn::Set(quad, row.conductance[k + 1]),
-                       hn::Sub(mine, vector(task.p[row.fluid[k + 1]])), odd);
-    }
-    const auto flow = hn::MulAdd(hn::Set(quad, task.drag[i]), mine, hn::Add(even, odd));
-    const auto q =
-        hn::MulAdd(hn::Set(quad, task.dt), flow, hn::Mul(hn::Set(quad, task.mass[i]), mine));
-    hn::Store(q, quad, &task.q[i].x);
-    dot[0] += static_cast<double>(task.p[i].x) * task.q[i].x;
-    dot[1] += static_cast<double>(task.p[i].y) * task.q[i].y;
-    dot[2] += static_cast<double>(task.p[i].z) * task.q[i].z;
-  }
-  std::copy(dot, dot + 3, task.dot);
 }
 
 }  // namespace HWY_NAMESPACE

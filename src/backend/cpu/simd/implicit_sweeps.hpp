@@ -12,6 +12,8 @@ void wall_closing(const WallClosingTask& task);
 void near_force(const NearForceTask& task);
 void near_motion(const NearMotionTask& task);
 void shift(const ShiftTask& task);
+// In viscous_sweeps.cpp.
+void half_gradient(const HalfGradientTask& task);
 void viscous_product(ViscousProductTask& task);
 
 }  // namespace HWY_NAMESPACE

@@ -153,7 +153,7 @@ extern const PairSweeps SABO_SWEEPS;
 const PairSweeps SABO_SWEEPS{
     hwy::TargetName(HWY_STATIC_TARGET), HWY_NAMESPACE::motion,     HWY_NAMESPACE::force,
     HWY_NAMESPACE::wall_pressure,       HWY_NAMESPACE::near_force, HWY_NAMESPACE::wall_closing,
-    HWY_NAMESPACE::near_motion,         HWY_NAMESPACE::shift,      HWY_NAMESPACE::viscous_product,
-    HWY_NAMESPACE::near_search};
+    HWY_NAMESPACE::near_motion,         HWY_NAMESPACE::shift,      HWY_NAMESPACE::half_gradient,
+    HWY_NAMESPACE::viscous_product,     HWY_NAMESPACE::near_search};
 
 }  // namespace sabo
