@@ -54,7 +54,7 @@ static_assert(sizeof(ClosingRecord) == 32);
 struct alignas(64) ViscousRecord {
   std::int32_t x, y, z;
   float vx, vy, vz;        ///< the vector that is multiplied, in m/s
-  float half_gradient[9];  ///< of it, 1/s: of vx, of vy, of vz
+  float half_gradient[9];  ///< of vx, of vy, of vz, 1/s
   float unused;
 };
 static_assert(sizeof(ViscousRecord) == 64);

@@ -63,7 +63,7 @@ struct NumericsCase {
   double sleep_time = 0.5;
   double crowding_tolerance = 0.03;
   TensionAtSurface tension_at_surface = TensionAtSurface::by_law;
-  double particle_shifting = 40;
+  std::optional<double> particle_shifting;
   double gravity = 9.81;
 
   template <class V>
@@ -184,7 +184,8 @@ struct NumericsCase {
       tension_at_surface);
     v(Key{"particle_shifting", "",
           "fast: inside of the flow particles are shifted to more even places, by this times h^2, "
-          "the shear strain of the step and the gradient of the filling of their kernel; 0: not"}
+          "the shear strain of the step and the gradient of the filling of their kernel; 0: not; "
+          "default 40 for laws with a yield stress, 20 for others"}
           .at_least(0)
           .at_most(1000),
       particle_shifting);
@@ -198,7 +199,6 @@ struct NumericsCase {
     const bool is_paper = method == Method::paper;
     diffusion_form = is_paper ? DiffusionForm::molteni : DiffusionForm::fourtakas;
     cfl = is_paper ? 0.2 : 0.6;
-    particle_shifting = is_paper ? 0 : 40;
   }
 };
 

@@ -30,6 +30,13 @@ bool bears_tension(TensionAtSurface tension, const Rheology& law) {
   return tension == TensionAtSurface::by_law ? has_yield(law) : tension == TensionAtSurface::borne;
 }
 
+/// Where the viscous stress is of the order of the pressure, as by laws with a yield stress, it
+/// disorders a flow that shears; water is better without so much shifting (docs/method.md).
+double shifting(const NumericsCase& numerics, const Rheology& law) {
+  if (numerics.method == Method::paper) return 0;
+  return numerics.particle_shifting.value_or(has_yield(law) ? 40 : 20);
+}
+
 }  // namespace
 
 FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
@@ -52,7 +59,7 @@ FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
   model.wall = wall_shear(numerics);
   model.crowding_tolerance = numerics.crowding_tolerance;
   model.tension_at_surface = bears_tension(numerics.tension_at_surface, material.law);
-  model.particle_shifting = numerics.particle_shifting;
+  model.particle_shifting = shifting(numerics, material.law);
   if (has_yield(material.law)) model.sleep = {numerics.sleep_speed, numerics.sleep_time};
   model.as_printed = numerics.as_printed;
   model.threads = numerics.threads;

@@ -76,15 +76,16 @@ void register_product(const std::string& set, const PairSweeps& sweeps) {
     std::vector<std::uint32_t> row(rows);
     std::iota(row.begin(), row.end(), 0U);
     const PairScale scale;
-    std::vector<ViscousRecord> records(pairs);
+    const std::vector<ViscousRecord> records(pairs);
     std::vector<Quad<float>> q(rows);
     const std::vector<float> mass(rows, 1), drag(rows, 0.5f);
     const std::vector<Sym3<float>> inverse_root(rows, isotropic(1.0f));
+    std::vector<VelocityGradient<float>> half_gradient(rows);
     ViscousProductTask task{&scale,      &near,       row.data(), 0,        rows, records.data(),
                             mass.data(), drag.data(), 0.1f,       q.data(), 0};
     for ([[maybe_unused]] auto unused : state) {
-      sweeps.half_gradient(
-          {&scale, &near, row.data(), 0, rows, inverse_root.data(), records.data()});
+      sweeps.half_gradient({&scale, &near, row.data(), 0, rows, records.data(), inverse_root.data(),
+                            half_gradient.data()});
       sweeps.viscous_product(task);
       benchmark::DoNotOptimize(task.dot);
       benchmark::ClobberMemory();

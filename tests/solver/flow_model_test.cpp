@@ -21,5 +21,23 @@ TEST(FlowModel, BearsTensionBesideTheAirByItsLawOrAsIsAsked) {
   EXPECT_FALSE(bears(TensionAtSurface::none, Cross{}));
 }
 
+double shifting(NumericsCase numerics, const Rheology& law) {
+  numerics.spacing = 1;
+  MaterialCase material;
+  material.law = law;
+  return flow_model(material, numerics, 1).particle_shifting;
+}
+
+TEST(FlowModel, ShiftsParticlesByItsLawOrAsIsAsked) {
+  NumericsCase numerics;
+  EXPECT_EQ(shifting(numerics, Cross{}), 40);
+  EXPECT_EQ(shifting(numerics, Newtonian{}), 20);
+  numerics.particle_shifting = 0;
+  EXPECT_EQ(shifting(numerics, Cross{}), 0);
+  NumericsCase paper;
+  paper.method = Method::paper;
+  EXPECT_EQ(shifting(paper, Cross{}), 0);
+}
+
 }  // namespace
 }  // namespace sabo

@@ -40,6 +40,7 @@ class CpuBackend : public HostBackend {
   void pack_motion();
   void pack_stress();
   void pack_near_motion();
+  void multiply(const float* mass, const float* drag, double dt);
 
   const PairSweeps& sweeps_;
   double skin_;
@@ -61,6 +62,7 @@ class CpuBackend : public HostBackend {
   NearPairs near_;
   VelocityStep<float> velocity_step_;
   std::vector<ViscousRecord> viscous_;
+  std::vector<VelocityGradient<float>> half_gradient_;
   std::vector<double> dots_;
 };
 

@@ -16,6 +16,8 @@ void CpuBackend::prepare_rows() {
   const std::size_t fluids = fluid_.size();
   near_.reset(fluids);
   velocity_step_.reset(on_, fluids);
+  viscous_.resize(fluids);
+  half_gradient_.resize(fluids);
   flow_.resize(fluids + boundary_.size());
   motion_.resize(fluids + boundary_.size());
   closing_.resize(fluids + boundary_.size());
@@ -91,14 +93,10 @@ void CpuBackend::near_forces() {
   add_central_force();
 }
 
-ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
-  const PassClock clock(pass_times_, "viscous solve");
-  const std::size_t blocks = (awake_.size() + sweep_block - 1) / sweep_block;
-  dots_.assign(blocks, 0);
+/// solver.product and solver.curvature of solver.direction, see VelocityStep::advance().
+void CpuBackend::multiply(const float* mass, const float* drag, double dt) {
+  pass_times_["viscous solve"].pairs += near_.size();
   auto& solver = velocity_step_.solver;
-  viscous_.resize(fluid_.size());
-  over(fluid_.size(), threads(),
-       [&](std::size_t i) { viscous_[i] = {flow_[i].x, flow_[i].y, flow_[i].z, 0, 0, 0, {}, 0}; });
   const auto pack_direction = [&](std::size_t i) {
     const Quad<float>& p = solver.direction[i];
     ViscousRecord& record = viscous_[i];
@@ -106,26 +104,39 @@ ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_
     record.vy = p.y;
     record.vz = p.z;
   };
-  const auto multiply = [&](const float* mass, const float* drag, const SolveProgress<float>*) {
-    pass_times_["viscous solve"].pairs += near_.size();
-    over_rows(awake_, threads(), pack_direction);
-    over_rows(driven_, threads(), pack_direction);
-    parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
-      sweeps_.half_gradient({&scale_, &near_, awake_.data(), range.first, range.last,
-                             velocity_step_.inverse_root.data(), viscous_.data()});
-    });
-    parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
-      ViscousProductTask task{
-          &scale_, &near_, awake_.data(), range.first,           range.last, viscous_.data(),
-          mass,    drag,   float(dt),     solver.product.data(), 0};
-      sweeps_.viscous_product(task);
-      dots_[range.first / sweep_block] = task.dot;
-    });
-    solver.curvature[0] = {std::accumulate(dots_.begin(), dots_.end(), 0.0)};
+  over_rows(awake_, threads(), pack_direction);
+  over_rows(driven_, threads(), pack_direction);
+  parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
+    sweeps_.half_gradient({&scale_, &near_, awake_.data(), range.first, range.last, viscous_.data(),
+                           velocity_step_.inverse_root.data(), half_gradient_.data()});
+  });
+  // Not by the sweep, during which others read the record.
+  over_rows(awake_, threads(), [&](std::size_t i) {
+    const auto& [x, y, z] = half_gradient_[i];
+    const float numbers[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+    std::copy(numbers, numbers + 9, viscous_[i].half_gradient);
+  });
+  dots_.assign((awake_.size() + sweep_block - 1) / sweep_block, 0);
+  parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
+    ViscousProductTask task{
+        &scale_, &near_, awake_.data(), range.first,           range.last, viscous_.data(),
+        mass,    drag,   float(dt),     solver.product.data(), 0};
+    sweeps_.viscous_product(task);
+    dots_[range.first / sweep_block] = task.dot;
+  });
+  solver.curvature[0] = {std::accumulate(dots_.begin(), dots_.end(), 0.0)};
+}
+
+ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
+  const PassClock clock(pass_times_, "viscous solve");
+  over(fluid_.size(), threads(),
+       [&](std::size_t i) { viscous_[i] = {flow_[i].x, flow_[i].y, flow_[i].z, 0, 0, 0, {}, 0}; });
+  const auto product = [&](const float* mass, const float* drag, const SolveProgress<float>*) {
+    multiply(mass, drag, dt);
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
                                                       {driven_.data(), driven_.size()}, dt,
-                                                      tolerance, most_iterations, multiply);
+                                                      tolerance, most_iterations, product);
   if (outcome.converged) velocity_step_.heat[0].enter(dt, heat_);
   return outcome;
 }

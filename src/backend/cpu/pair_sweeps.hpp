@@ -111,15 +111,16 @@ struct ShiftTask {
   float* sum;  ///< out, of those of the range one after the other
 };
 
-/// Half of the gradient of the vector in the records, into them: the first sweep of a product with
-/// the viscous matrix (physics/pair/viscous_flux.hpp).
+/// Half of the gradient of the vector in the records: the first sweep of a product with the viscous
+/// matrix (physics/pair/viscous_flux.hpp).
 struct HalfGradientTask {
   const PairScale* scale;
   const NearPairs* near;
   const std::uint32_t* rows;
   std::size_t first, last;
+  const ViscousRecord* records;
   const Sym3<float>* inverse_root;
-  ViscousRecord* records;
+  VelocityGradient<float>* half_gradient;  ///< out, by particle
 };
 
 /// The second: q = m p + dt (sum_j a_ij (p_i - p_j + (G_i + G_j)^T x_ij / 2) + drag p).
@@ -128,7 +129,7 @@ struct ViscousProductTask {
   const NearPairs* near;
   const std::uint32_t* rows;
   std::size_t first, last;
-  const ViscousRecord* records;  ///< p and half of its gradient G
+  const ViscousRecord* records;  ///< of p and half of its gradient
   const float* mass;
   const float* drag;  ///< of the walls, kg/s
   float dt;

@@ -243,7 +243,7 @@ void check_wall(const NumericsCase& numerics, Faults& faults) {
 /// Switches of one method would do nothing with the other.
 void check_switches(const NumericsCase& numerics, Faults& faults) {
   if (numerics.method == Method::paper) {
-    if (numerics.particle_shifting > 0)
+    if (numerics.particle_shifting)
       faults.add("numerics.particle_shifting", "applies to method \"fast\" only",
                  "remove it, or choose method = \"fast\"");
     if (numerics.tension_at_surface != TensionAtSurface::by_law)

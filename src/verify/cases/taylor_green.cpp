@@ -140,7 +140,9 @@ ChartSeries exact_decay(const Vortices& flow) {
 
 Verdict verify_taylor_green(const VerifySettings& settings) {
   const bool is_quick = settings.is_quick();
-  const double shifted = settings.numerics().particle_shifting;
+  MaterialCase newtonian;
+  newtonian.law = Newtonian{1};
+  const double shifted = settings.model(newtonian, settings.numerics(), 1).particle_shifting;
   const int cells = is_quick ? 50 : 100;
   const double end = is_quick ? 0.8 : 2;
   std::vector<Vortices> flows{{100, cells, end, shifted}};

@@ -9,8 +9,8 @@ namespace sabo {
 namespace HWY_NAMESPACE {
 namespace {
 
-/// A half of the records: places, velocities and two numbers of the gradients; seven numbers of
-/// them.
+/// A half of the records: the first has places, velocities and two numbers of the gradients, the
+/// second the other seven.
 HWY_INLINE Columns half_records(const ViscousRecord* records, std::size_t half,
                                 const std::uint32_t* k) {
   return load_transposed(reinterpret_cast<const float*>(records), 16, 8 * half, k);
@@ -55,14 +55,8 @@ void half_gradient_range(const HalfGradientTask& task) {
       const Difference d = me.from(half_records(task.records, 0, k), conductance);
       b += outer_product(d.v, d.a * d.x);
     }
-    const VelocityGradient<float> half = sabo::half_gradient<float>(
+    task.half_gradient[i] = sabo::half_gradient<float>(
         {sum_of_lanes(b.x), sum_of_lanes(b.y), sum_of_lanes(b.z)}, task.inverse_root[i]);
-    float* to = task.records[i].half_gradient;
-    for (const Vec3f& g : {half.x, half.y, half.z}) {
-      *to++ = g.x;
-      *to++ = g.y;
-      *to++ = g.z;
-    }
   }
 }
 
