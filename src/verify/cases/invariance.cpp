@@ -224,9 +224,8 @@ Verdict verify_invariance(const VerifySettings& settings) {
   verdict.charts = {std::move(chart)};
   verdict.remarks = {
       fmt::format("{} x {} particles of {:g} m; the front of {} starts is {:.3f} ± {:.3f} m, with "
-                  "twice the speed of sound {:.3f} ± {:.3f} m, {:.1f} ± {:.1f} % farther. What "
-                  "pushes it is the "
-                  "noise of pressure, which grows with the speed of sound",
+                  "twice the speed of sound {:.3f} ± {:.3f} m, {:.1f} ± {:.1f} % farther. The "
+                  "likely cause is the noise of pressure",
                   cells, cells, spacing, many, mean.value, mean.error, stiff_mean.value,
                   stiff_mean.error, 100 * (stiff_mean.value / mean.value - 1),
                   100 * std::hypot(mean.error, stiff_mean.error) / mean.value)};
