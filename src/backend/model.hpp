@@ -51,6 +51,7 @@ struct FlowModel {
   bool as_printed = false;           ///< with the factor 1/2 that the paper prints in Eqs. 16-17
   double crowding_tolerance = 0.03;  ///< of the implicit method: filling beyond density
   bool tension_at_surface = true;    ///< of the implicit method: pressure may be negative there
+  bool whole_viscous_stress = true;  ///< of the implicit method: else mu grad v, right in shear
   double particle_shifting = 0;      ///< of the implicit method, see docs/method.md; 0: none
   SleepRule sleep;                   ///< of the implicit method, for laws with a yield stress
   bool walls_move = false;           ///< boundary particles may have velocities

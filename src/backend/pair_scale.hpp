@@ -27,6 +27,7 @@ struct PairScale {
   bool two_point_viscosity = false;
   double two_point_scale = 1;  ///< on the viscosities of the implicit method
   int dimension = 3;
+  bool whole_viscous_stress = true;
 
   PairScale() = default;
   /// `centre` (m) becomes the place of integers 0; all particles stay within `reach` (m) of it.
@@ -48,6 +49,7 @@ struct PairScale {
     set_sound_speed(model);
     wall_velocity_factor = float(model.wall_velocity_factor());
     dimension = model.dimension;
+    whole_viscous_stress = model.whole_viscous_stress;
     two_point_viscosity = model.viscous_operator == ViscousOperator::morris;
     two_point_scale = model.two_point_scale();
   }

@@ -40,6 +40,7 @@ class CpuBackend : public HostBackend {
   void pack_motion();
   void pack_stress();
   void pack_near_motion();
+  void find_half_gradients();
   void multiply(const float* mass, const float* drag, double dt);
 
   const PairSweeps& sweeps_;

@@ -93,6 +93,20 @@ void CpuBackend::near_forces() {
   add_central_force();
 }
 
+/// Of the vectors in the records, into them.
+void CpuBackend::find_half_gradients() {
+  parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
+    sweeps_.half_gradient({&scale_, &near_, awake_.data(), range.first, range.last, viscous_.data(),
+                           velocity_step_.inverse_root.data(), half_gradient_.data()});
+  });
+  // Not by the sweep, during which others read the record.
+  over_rows(awake_, threads(), [&](std::size_t i) {
+    const auto& [x, y, z] = half_gradient_[i];
+    const float numbers[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+    std::copy(numbers, numbers + 9, viscous_[i].half_gradient);
+  });
+}
+
 /// solver.product and solver.curvature of solver.direction, see VelocityStep::advance().
 void CpuBackend::multiply(const float* mass, const float* drag, double dt) {
   pass_times_["viscous solve"].pairs += near_.size();
@@ -106,16 +120,7 @@ void CpuBackend::multiply(const float* mass, const float* drag, double dt) {
   };
   over_rows(awake_, threads(), pack_direction);
   over_rows(driven_, threads(), pack_direction);
-  parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
-    sweeps_.half_gradient({&scale_, &near_, awake_.data(), range.first, range.last, viscous_.data(),
-                           velocity_step_.inverse_root.data(), half_gradient_.data()});
-  });
-  // Not by the sweep, during which others read the record.
-  over_rows(awake_, threads(), [&](std::size_t i) {
-    const auto& [x, y, z] = half_gradient_[i];
-    const float numbers[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
-    std::copy(numbers, numbers + 9, viscous_[i].half_gradient);
-  });
+  if (model_.whole_viscous_stress) find_half_gradients();
   dots_.assign((awake_.size() + sweep_block - 1) / sweep_block, 0);
   parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
     ViscousProductTask task{

@@ -80,7 +80,9 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double toleran
   const auto multiply = [&](const float* mass, const float* drag,
                             const SolveProgress<float>* progress) {
     const ViscousPairs pairs{pair_sums(), flow_records_.data(), solver.direction.data(), progress};
-    sweep_over(awake_, HalfGradientSweep{pairs, velocity_step_.inverse_root.data(), half_gradient});
+    if (model_.whole_viscous_stress)
+      sweep_over(awake_,
+                 HalfGradientSweep{pairs, velocity_step_.inverse_root.data(), half_gradient});
     const ViscousProduct product{pairs, awake_.data(), half_gradient,        mass,
                                  drag,  float(dt),     solver.product.data()};
     on_.sweep_and_sum(awake_.size(), product, solver.curvature);

@@ -133,7 +133,9 @@ struct NearForceSweep {
     if constexpr (with_motion)
       if (flow.artificial_heat) flow.artificial_heat[i] = sums.artificial_heat;
     conductance_sum[i] = sums.conductance;
-    inverse_root[i] = in_single(sabo::inverse_root(in_double(sums.moments), pairs.scale.dimension));
+    if (pairs.scale.whole_viscous_stress)  // else zero
+      inverse_root[i] =
+          in_single(sabo::inverse_root(in_double(sums.moments), pairs.scale.dimension));
     flow.filling[i] = {own + sums.filling + sums.share,
                        in_double(sums.filling_gradient + sums.gradient)};
     flow.wall[i] = {sums.share, in_double(sums.gradient), in_double(sums.wall_velocity)};

@@ -55,7 +55,8 @@ void ReferenceBackend::near_forces() {
     });
     acceleration_[i] = a;
     velocity_step_.conductance_sum[i] = conductance;
-    velocity_step_.inverse_root[i] = inverse_root(moments, model_.dimension);
+    if (model_.whole_viscous_stress)  // else zero
+      velocity_step_.inverse_root[i] = inverse_root(moments, model_.dimension);
     artificial_heat_[i] = artificial_heat;
     filling_[i] = filling;
     wall_share_[i] = wall;

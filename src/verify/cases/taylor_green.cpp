@@ -196,9 +196,7 @@ Verdict verify_taylor_green(const VerifySettings& settings) {
       run(oracle, oracle_work).drift, 1e-12));
   if (shifted > 0) {
     verdict.remarks.push_back(
-        fmt::format("Particles are shifted, particle_shifting = {:g}. With 40 the error of U at "
-                    "Re 100 is 0.045, but a jet of water pushes its plate with 9 % too much",
-                    shifted));
+        fmt::format("Particles are shifted, particle_shifting = {:g}", shifted));
     if (!is_quick) {
       Decay decay = run(as_it_is, as_it_is.work());
       verdict.claims.push_back(

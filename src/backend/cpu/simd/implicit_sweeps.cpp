@@ -178,8 +178,9 @@ void near_force_range(const NearForceTask& task) {
     task.acceleration[i] = task.gravity + Vec3d{sum(a.x), sum(a.y), sum(a.z)};
     task.artificial_heat[i] = sum(sums.artificial_heat);
     task.conductance_sum[i] = sum(sums.conductance);
-    task.inverse_root[i] =
-        in_single(inverse_root(sum_of_lanes(sums.moments), task.scale->dimension));
+    if (task.scale->whole_viscous_stress)  // else zero
+      task.inverse_root[i] =
+          in_single(inverse_root(sum_of_lanes(sums.moments), task.scale->dimension));
     const float share = sum(sums.share);
     const Vec full = sums.filling_gradient + n;
     task.filling[i] = {own * task.records[i].volume + sum(sums.filling) + share,
