@@ -9,7 +9,7 @@
 
 namespace sabo {
 
-/// Pairs within the kernel at the present positions, and the entries of the viscous matrix that
+/// Pairs within the kernel at the present positions, and the conductances of the viscous matrix that
 /// belong to them. The force sweep, which looks at every pair of the neighbour list, writes them;
 /// the sweeps after it skip what the list holds for later steps. Rows are padded as in PairList,
 /// with entries of zero.
