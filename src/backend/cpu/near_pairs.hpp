@@ -9,10 +9,10 @@
 
 namespace sabo {
 
-/// Pairs within the kernel at the present positions, and the conductances of the viscous matrix that
-/// belong to them. The force sweep, which looks at every pair of the neighbour list, writes them;
-/// the sweeps after it skip what the list holds for later steps. Rows are padded as in PairList,
-/// with entries of zero.
+/// Pairs within the kernel at the present positions, and the conductances of the viscous matrix
+/// that belong to them. The force sweep, which looks at every pair of the neighbour list, writes
+/// them; the sweeps after it skip what the list holds for later steps. Rows are padded as in
+/// PairList, with entries of zero.
 class NearPairs {
   struct Chunk {
     std::vector<std::uint32_t> index;
