@@ -74,12 +74,13 @@ struct SolveProgress {
   double energy = 0;   ///< of the residual
   Vec3d residual_sum;  ///< over the rows, kg m/s
   T keep = 0;          ///< share of the last direction in the next one
-  double enough = 0;
+  double enough = 0;   ///< of the residual, see ResidualSums
+  int most = 0;        ///< iterations
   int iterations = 0;
   bool has_ended = false;
   bool has_converged = false;
 
-  SABO_HD void take(const ResidualSums& sums, int most) {
+  SABO_HD void take(const ResidualSums& sums) {
     energy = sums.energy;
     residual_sum = sums.residual;
     has_converged = !(sums.largest() > enough);
@@ -102,7 +103,8 @@ struct BeginSolve {
   SABO_HD void operator()(std::size_t) const {
     SolveProgress<T> begun;
     begun.enough = larger(limits.size, limits.share * sums->largest());
-    begun.take(*sums, limits.most);
+    begun.most = limits.most;
+    begun.take(*sums);
     *progress = begun;
   }
 };
@@ -131,13 +133,12 @@ struct AdvanceSolve {
 template <class T>
 struct JudgeSolve {
   const ResidualSums* sums;
-  int most;
   SolveProgress<T>* progress;
   SABO_HD void operator()(std::size_t) const {
     if (progress->has_ended) return;
     progress->keep = share_of<T>(sums->energy, progress->energy);
     ++progress->iterations;
-    progress->take(*sums, most);
+    progress->take(*sums);
   }
 };
 
@@ -216,7 +217,7 @@ class ViscousSolver {
       if (started > 0) on.for_each(rows.count, TurnSolve<T>{vectors, progress});
       multiply(progress);
       on.sum_into(rows.count, AdvanceSolve<T>{vectors, progress, curvature.data()}, sums_);
-      on.for_each(1, JudgeSolve<T>{sums_.data(), most, progress});
+      on.for_each(1, JudgeSolve<T>{sums_.data(), progress});
     }
     iterations_ = known.iterations;
     residual_sum = known.residual_sum;

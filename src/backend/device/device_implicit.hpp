@@ -41,7 +41,7 @@ void DeviceBackend<Executor>::near_forces() {
   need_implicit_arrays();
   if (velocity_step_.conductance_sum.size() != fluid_.size()) {
     velocity_step_.reset(on_, fluid_.size());
-    on_.zero(half_gradient_, fluid_.size());
+    if (model_.whole_viscous_stress) on_.zero(half_gradient_, fluid_.size());
   }
   const bool needs_motion = model_.artificial_viscosity > 0 || model_.walls_move;
   if (needs_motion) pack_motion_beside();
@@ -75,12 +75,11 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double toleran
                                                        int most_iterations) {
   const Clock clock(*this, "viscous solve");
   auto& solver = velocity_step_.solver;
-  auto* half_gradient = half_gradient_.data();
-  solver.runs_ahead = true;
+  auto* half_gradient = model_.whole_viscous_stress ? half_gradient_.data() : nullptr;
   const auto multiply = [&](const float* mass, const float* drag,
                             const SolveProgress<float>* progress) {
     const ViscousPairs pairs{pair_sums(), flow_records_.data(), solver.direction.data(), progress};
-    if (model_.whole_viscous_stress)
+    if (half_gradient != nullptr)
       sweep_over(awake_,
                  HalfGradientSweep{pairs, velocity_step_.inverse_root.data(), half_gradient});
     const ViscousProduct product{pairs, awake_.data(), half_gradient,        mass,

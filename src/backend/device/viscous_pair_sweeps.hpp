@@ -66,11 +66,12 @@ struct HalfGradientSweep {
   }
 };
 
-/// q = m p + dt (sum_j a_ij (p_i - p_j + (G_i + G_j)^T x_ij / 2) + drag p), and p.q.
+/// q = m p + dt (sum_j a_ij (p_i - p_j + (G_i + G_j)^T x_ij / 2) + drag p), and p.q. Without
+/// gradients, where the law carries mu grad v alone, they are left out.
 struct ViscousProduct {
   ViscousPairs on;
   const std::uint32_t* rows;
-  const VelocityGradient<float>* half_gradient;
+  const VelocityGradient<float>* half_gradient;  // may be none
   const float* mass;
   const float* drag;
   float dt;
@@ -85,6 +86,11 @@ struct ViscousProduct {
     Sums sums;
     if (on.is_needless()) return sums;
     const std::size_t i = rows[place];
+    if (half_gradient == nullptr) {
+      on.over(i, share,
+              [&](std::uint32_t, float a, const Vec3f& v, const Vec3f&) { sums.flow += a * v; });
+      return sums;
+    }
     const VelocityGradient<float> mine = half_gradient[i];
     on.over(i, share, [&](std::uint32_t j, float a, const Vec3f& v, const Vec3f& x) {
       sums.flow += a * (v + transposed_times(mine, x) + transposed_times(half_gradient[j], x));

@@ -117,7 +117,7 @@ HWY_INLINE void add_fluid_forces(const Constants& s, const NearForceTask& task, 
     const Lanes a = viscous_conductance(pair, pair_viscosity(viscosity, j[6]), volume, j[5]) *
                     positive(pair.r2);
     sums.conductance += a;
-    sums.moments += scaled_square(a, pair.x);
+    if (task.scale->whole_viscous_stress) sums.moments += scaled_square(a, pair.x);
     sums.filling += j[5] * s.kernel.value(sqrt(pair.r2)) * positive(pair.r2);
     sums.filling_gradient += (j[5] * pair.gradient) * pair.x;
     if constexpr (with_motion) {

@@ -60,7 +60,8 @@ void half_gradient_range(const HalfGradientTask& task) {
   }
 }
 
-template <bool periodic>
+/// Without the transposed gradient: what mu grad v alone carries.
+template <bool periodic, bool whole>
 void viscous_product_range(ViscousProductTask& task) {
   const Constants s(*task.scale);
   task.dot = 0;
@@ -74,19 +75,25 @@ void viscous_product_range(ViscousProductTask& task) {
     for (const std::uint32_t* k = row.fluid; k != row.boundary;
          k += Lanes::count, conductance += Lanes::count) {
       const Columns j = half_records(task.records, 0, k);
-      const Columns g = half_records(task.records, 1, k);
       const Difference d = me.from(j, conductance);
-      const VelocityGradient<Lanes> gradient{
-          {j[6], j[7], g[0]}, {g[1], g[2], g[3]}, {g[4], g[5], g[6]}};
-      carried += d.a * (d.v + transposed_times(gradient, d.x));
-      weighted += d.a * d.x;
+      Vec flux = d.v;
+      if constexpr (whole) {
+        const Columns g = half_records(task.records, 1, k);
+        const VelocityGradient<Lanes> gradient{
+            {j[6], j[7], g[0]}, {g[1], g[2], g[3]}, {g[4], g[5], g[6]}};
+        flux += transposed_times(gradient, d.x);
+        weighted += d.a * d.x;
+      }
+      carried += d.a * flux;
     }
-    const float* g = mine.half_gradient;
-    const VelocityGradient<float> gradient{
-        {g[0], g[1], g[2]}, {g[3], g[4], g[5]}, {g[6], g[7], g[8]}};
     const Vec3f p{mine.vx, mine.vy, mine.vz};
-    const Vec3f flow = task.drag[i] * p + sum_of_lanes(carried) +
-                       transposed_times(gradient, sum_of_lanes(weighted));
+    Vec3f flow = task.drag[i] * p + sum_of_lanes(carried);
+    if constexpr (whole) {
+      const float* g = mine.half_gradient;
+      const VelocityGradient<float> gradient{
+          {g[0], g[1], g[2]}, {g[3], g[4], g[5]}, {g[6], g[7], g[8]}};
+      flow += transposed_times(gradient, sum_of_lanes(weighted));
+    }
     const Vec3f q = task.mass[i] * p + task.dt * flow;
     task.q[i] = {q.x, q.y, q.z};
     task.dot += dot(in_double(p), in_double(q));
@@ -100,7 +107,12 @@ void half_gradient(const HalfGradientTask& task) {
 }
 
 void viscous_product(ViscousProductTask& task) {
-  task.scale->periodic ? viscous_product_range<true>(task) : viscous_product_range<false>(task);
+  if (task.scale->whole_viscous_stress)
+    task.scale->periodic ? viscous_product_range<true, true>(task)
+                         : viscous_product_range<false, true>(task);
+  else
+    task.scale->periodic ? viscous_product_range<true, false>(task)
+                         : viscous_product_range<false, false>(task);
 }
 
 }  // namespace HWY_NAMESPACE
