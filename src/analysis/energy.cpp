@@ -4,21 +4,23 @@
 
 namespace sabo {
 
-Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait) {
+Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait,
+                 bool may_be_torn) {
   return blocked_sum<Energy>(particles.size(), 1, [&](std::size_t i, Energy& sum) {
     const double mass = particles.mass[i];
     const Vec3d& velocity = particles.velocity[i];
+    const double density = particles.density[i];
+    const double borne = may_be_torn ? tait.borne_share(density, particles.pressure[i]) : 1;
     sum += {mass, 0.5 * mass * dot(velocity, velocity), -mass * dot(gravity, particles.position[i]),
-            mass * tait.elastic_energy(particles.density[i])};
+            mass * borne * tait.elastic_energy(density)};
   });
 }
 
-Energy energy_brought_by(const Particles& particles, const Vec3d& gravity, const Tait& tait) {
-  Energy energy = energy_of(particles, gravity, tait);
+double push_behind(const Particles& particles, const Tait& tait) {
+  double work = 0;
   for (std::size_t i = 0; i < particles.size(); ++i)
-    energy.elastic +=
-        particles.mass[i] / particles.density[i] * tait.pressure(particles.density[i]);
-  return energy;
+    work += particles.mass[i] / particles.density[i] * tait.pressure(particles.density[i]);
+  return work;
 }
 
 double surplus_fall(const Energy& start, const Energy& now, const Energy& left, double gravity) {

@@ -24,8 +24,10 @@ struct Energy {
   void join(const Energy& other) { *this += other; }
 };
 
-/// Sums over the rows in fixed blocks. `gravity` in m/s2.
-Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait);
+/// Sums over the rows in fixed blocks. `gravity` in m/s2. A fluid that may be torn, that of a model
+/// without tension_at_surface, stores the share of its tension that it bears.
+Energy energy_of(const Particles& particles, const Vec3d& gravity, const Tait& tait,
+                 bool may_be_torn = false);
 
 /// Where the potential energy that a flow has given up went, J.
 struct EnergyBalance {
@@ -49,8 +51,7 @@ EnergyBalance energy_balance(const Energy& start, const Energy& now, const Energ
 /// more than it has; what it has lost makes it negative. `gravity` in m/s2.
 double surplus_fall(const Energy& start, const Energy& now, const Energy& left, double gravity);
 
-/// Energy that particles bring through an inflow: their own, and the work p m/rho of what pushes
-/// them, counted as elastic.
-Energy energy_brought_by(const Particles& particles, const Vec3d& gravity, const Tait& tait);
+/// Work of what pushes particles through an inflow, the sum of p m/rho, J.
+double push_behind(const Particles& particles, const Tait& tait);
 
 }  // namespace sabo

@@ -10,11 +10,12 @@ namespace sabo {
 struct NumericalHeat {
   double artificial_viscosity = 0;  ///< method fast; with paper it is a part of dissipation
   double density_diffusion = 0;
-  double density_hold = 0;  ///< fast: density held to the places of the particles
+  double density_hold = 0;  ///< fast: density held to the places of the particles, and tearing
   double shifting = 0;      ///< fast: particles shifted to more even places
   double sound_speed = 0;   ///< fast: compression at the same pressure with another speed of sound
   double walls = 0;         ///< pressure against walls, which give back what it took only in part;
-                            ///< paper: with what they keep as compression of their own
+                            ///< fast: and what force and compression differ by over a step;
+                            ///< paper: with what walls keep as compression of their own
 
   double total() const {
     return artificial_viscosity + density_diffusion + density_hold + shifting + sound_speed + walls;

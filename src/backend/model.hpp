@@ -31,7 +31,8 @@ struct CentralForce {
   Vec3d origin;         ///< m
 };
 
-/// Everything the sweeps need to know besides the particles; constant during a run.
+/// Everything the sweeps need to know besides the particles; during a run only the speed of sound
+/// may change.
 struct FlowModel {
   int dimension = 3;   ///< 3, or 2 in the x-z plane (one particle wide, y = 0)
   double spacing = 1;  ///< dp, m
@@ -50,7 +51,7 @@ struct FlowModel {
   WallShear wall = NoSlip{};                                       ///< of the implicit method
   bool as_printed = false;           ///< with the factor 1/2 that the paper prints in Eqs. 16-17
   double crowding_tolerance = 0.03;  ///< of the implicit method: filling beyond density
-  bool tension_at_surface = true;    ///< of the implicit method: pressure may be negative there
+  bool tension_at_surface = true;    ///< pressure may be negative there, else the fluid is torn
   bool whole_viscous_stress = true;  ///< of the implicit method: else mu grad v, right in shear
   double particle_shifting = 0;      ///< of the implicit method, see docs/method.md; 0: none
   SleepRule sleep;                   ///< of the implicit method, for laws with a yield stress

@@ -75,7 +75,9 @@ struct NumericsCase {
           .required(),
       spacing);
     v(Key{"method", "",
-          "fast: implicit viscosity and wall friction, large steps; paper: as published in 2016"},
+          "fast, with implicit viscosity and wall friction in large steps, or paper, as published "
+          "in "
+          "2016"},
       method);
     if constexpr (SetsMembers<V>) take_method();
     v(Key{"backend", "",
@@ -169,7 +171,7 @@ struct NumericsCase {
       sleep_speed);
     v(Key{"sleep_time", "s",
           "fast: how long it must have been slower than sleep_speed and below yield"}
-          .at_least(0)
+          .above(0)
           .at_most(1e6),
       sleep_time);
     v(Key{"crowding_tolerance", "",

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/host_device.hpp"
+#include "math/scalar.hpp"
 
 namespace sabo {
 
@@ -39,6 +40,13 @@ struct Tait {
     const double strain = (rho - rho0) / rho0;
     const double sum = 6 + x * (5 + x * (4 + x * (3 + x * (2 + x))));
     return c0 * c0 * strain * strain * sum / (42 * x);
+  }
+
+  /// Share of a negative pressure, and of the energy, of a density that a fluid bears which may be
+  /// torn, by the pressure that it has.
+  SABO_HD double borne_share(double rho, double its_pressure) const {
+    const double whole = pressure(rho);
+    return whole < 0 ? smaller(larger(its_pressure / whole, 0.0), 1.0) : 1;
   }
 
   /// Density at a pressure above -B, kg/m3.

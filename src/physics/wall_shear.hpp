@@ -12,7 +12,7 @@ struct WallContact {
   double pressure = 0;  ///< effective, at the wall, Pa
   double density = 0;   ///< kg/m3
   double gravity = 0;   ///< magnitude, m/s2
-  double sticking = 0;  ///< viscosity at the wall over the distance to it, Pa s/m
+  double sticking = 0;  ///< what sticking takes, docs/method.md F6, Pa s/m
 };
 
 // A wall law gives the resistance R of a wall in Pa s/m: the shear stress on the flow is -R v with

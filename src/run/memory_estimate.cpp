@@ -21,7 +21,8 @@ constexpr double ground_beside_flow = 11;  // spacings across: a list's radius a
 // Of the backend cuda (backend/device/device_backend.hpp), by what is allocated; per particle.
 constexpr double card_bytes_of_any = 128 + 9;    // fields; numbers of neighbours
 constexpr double card_bytes_of_fluid = 32 + 29;  // rates; place at the last list, whether awake
-constexpr double card_bytes_of_fast = 448;       // strain, walls, filling, solver, records
+constexpr double card_bytes_of_fast = 412;       // strain, walls, filling, solver, records
+constexpr double card_bytes_of_gradient = 36;    // of the whole viscous stress
 constexpr double card_bytes_of_shift = 32;
 constexpr double card_bytes_of_paper = 256;        // strain, stress, start of the step, records
 constexpr double card_bytes_of_ground_fast = 112;  // density rate, records, weights
@@ -46,6 +47,7 @@ double card_memory(const FlowModel& model, Method method, double fluid, double b
   const bool is_fast = method == Method::fast;
   const double of_fluid = card_bytes_of_any + card_bytes_of_fluid + list +
                           (is_fast ? card_bytes_of_fast : card_bytes_of_paper) +
+                          (is_fast && model.whole_viscous_stress ? card_bytes_of_gradient : 0) +
                           (model.particle_shifting > 0 ? card_bytes_of_shift : 0);
   const double of_ground = card_bytes_of_any + ground_neighbours * list +
                            (is_fast ? card_bytes_of_ground_fast : card_bytes_of_ground_paper);

@@ -85,6 +85,7 @@ std::vector<VolumeLedger> make_ledgers(const Case& c, const Scene& scene) {
 Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
                    const RunFolder& folder)
     : model_(model),
+      method_(c.numerics.method),
       columns_(scene.surface->elevation(), c.numerics.spacing, c.material.density),
       ledgers_(make_ledgers(c, scene)),
       section_states_(scene, model, folder),
@@ -147,9 +148,15 @@ void Recorder::follow(const Particles& fluid) {
   tracks_.advance(fluid);
 }
 
+Energy Recorder::energy_in(const Particles& fluid, const Tait& state) const {
+  return energy_of(fluid, model_.gravity, state, !model_.tension_at_surface);
+}
+
 void Recorder::after_entry(Domain& domain, const Tait& state) {
   const Particles entered = domain.take_entered();
-  freed_ += energy_brought_by(domain.take_freed(), model_.gravity, state);
+  const Particles freed = domain.take_freed();
+  freed_ += energy_in(freed, state);
+  pushed_ += push_behind(freed, state);
   for (std::size_t k = 0; k < inflows_.size(); ++k)
     inflows_[k].entered = domain.inflows()[k].entered();
   if (entered.size() == 0) return;
@@ -208,7 +215,7 @@ void Recorder::after_renewal(Domain& domain, const Tait& state) {
   const Particles departed = domain.take_departed();
   const std::size_t put_back = domain.put_back_count() - put_back_seen_;
   put_back_seen_ += put_back;
-  left_ += energy_of(departed, model_.gravity, state);
+  left_ += energy_in(departed, state);
   for (VolumeLedger& ledger : ledgers_) {
     if (departed.size() > 0) ledger.leave(departed);
     ledger.put_back(put_back);
@@ -222,12 +229,15 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, const
   row.time = stepper.time();
   const double interval = rows_.empty() ? 0 : row.time - rows_.back().time;
   row.front = front_.update(row.time, backend.fluid());
-  row.energy = energy_of(backend.fluid(), model_.gravity, backend.model().state);
-  row.entered =
-      freed_ + energy_of(driven_part(backend.fluid()), model_.gravity, backend.model().state);
+  const Tait& state = backend.model().state;
+  row.energy = energy_in(backend.fluid(), state);
+  row.entered = freed_ + energy_in(driven_part(backend.fluid()), state);
+  row.entered.elastic += pushed_;
   row.left = left_;
   row.dissipated = stepper.dissipated();
   row.numerical = backend.heat().numerical;
+  // What driven particles do to the flow counts there as given by walls.
+  if (method_ == Method::fast) row.numerical.walls += pushed_;
   if (!rows_.empty() && inflows_.empty()) check_energy(row);
   rest_.update(row.time, backend.fluid());
   row.motion = rest_.state();

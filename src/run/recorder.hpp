@@ -104,7 +104,7 @@ class Recorder {
     a.fixed(sections_);
     a.fixed(ledgers_);
     a(section_states_, gauges_, fillings_, loads_, front_, rest_, maps_, travelled_, unseen_,
-      put_back_seen_, left_, freed_, rows_);
+      put_back_seen_, left_, freed_, pushed_, rows_);
     if (unseen_ > 0) a(tracks_);
     a.fixed(inflows_);
     a(front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_, solver_csv_);
@@ -115,6 +115,7 @@ class Recorder {
   void follow(const Particles& fluid);
 
  private:
+  Energy energy_in(const Particles& fluid, const Tait& state) const;
   void look(double time, Backend& backend);
   void sample_maps(double time, Backend& backend);
   void check_energy(const SeriesRow& row) const;
@@ -123,6 +124,7 @@ class Recorder {
                         const Backend& backend);
 
   FlowModel model_;
+  Method method_;
   Tracks tracks_;
   std::vector<Section> sections_;
   std::vector<Zone> zones_;
@@ -144,7 +146,8 @@ class Recorder {
   bool has_places_;  // zones, gauges or structures, which look at the columns
   std::vector<InflowRow> inflows_;
   std::vector<const InflowPlan*> inflow_plans_;
-  Energy freed_;  // brought by what inflows have set free, at the time they did
+  Energy freed_;       // of what inflows have set free, at the time they did
+  double pushed_ = 0;  // work of what pushed that, J
   Energy left_;
   std::vector<SeriesRow> rows_;
   CsvWriter front_csv_, discharge_csv_, volumes_csv_, zones_csv_, energy_csv_, rest_csv_,

@@ -58,10 +58,12 @@ FlowModel flow_model(const MaterialCase& material, const NumericsCase& numerics,
   model.boundary_pressure = numerics.boundary_pressure;
   model.wall = wall_shear(numerics);
   model.crowding_tolerance = numerics.crowding_tolerance;
-  model.tension_at_surface = bears_tension(numerics.tension_at_surface, material.law);
+  model.tension_at_surface =
+      numerics.method == Method::paper || bears_tension(numerics.tension_at_surface, material.law);
   model.particle_shifting = shifting(numerics, material.law);
   model.whole_viscous_stress = has_yield(material.law);  // docs/method.md, F3
-  if (has_yield(material.law)) model.sleep = {numerics.sleep_speed, numerics.sleep_time};
+  if (numerics.method == Method::fast && has_yield(material.law))
+    model.sleep = {numerics.sleep_speed, numerics.sleep_time};
   model.as_printed = numerics.as_printed;
   model.threads = numerics.threads;
   return model;

@@ -125,13 +125,16 @@ void Inflow::follow_bed(Particles& fluid, double dt) const {
 
 std::vector<std::uint32_t> Inflow::set_free(Particles& fluid) {
   std::vector<std::uint32_t> freed;
+  driven_ = 0;  // counted anew: some may have left the map
   for (std::uint32_t i = 0; i < fluid.size(); ++i) {
-    if (fluid.driven[i] != number_ || plan_.section.distance(fluid.position[i]) < plan_.reach)
+    if (fluid.driven[i] != number_) continue;
+    if (plan_.section.distance(fluid.position[i]) < plan_.reach) {
+      ++driven_;
       continue;
+    }
     fluid.driven[i] = 0;
     freed.push_back(i);
   }
-  driven_ -= freed.size();
   return freed;
 }
 

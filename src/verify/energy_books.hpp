@@ -26,7 +26,7 @@ class EnergyBooks {
  private:
   static Energy energy_in(Backend& flow) {
     const FlowModel& model = flow.model();
-    return energy_of(flow.fluid(), model.gravity, model.state);
+    return energy_of(flow.fluid(), model.gravity, model.state, !model.tension_at_surface);
   }
 
   Energy start_;

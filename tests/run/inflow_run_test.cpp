@@ -214,6 +214,14 @@ TEST(InflowRun, HasABalanceToTheLastParticle) {
   EXPECT_NEAR(entered, volumes.at("apex hydrograph [m3]"), 6);
   EXPECT_NEAR(volumes.at("released [m3]"), entered, 1e-9);
   EXPECT_NEAR(run.volume_of("maps/dep.tif"), entered - volumes.at("outflow [m3]"), 1e-3);
+  // What came in and the work that pushed it is found again (docs/outputs.md, Energy).
+  const auto energy = run.last_row("series/energy.csv");
+  const double brought = energy.at("brought by inflows [J]");
+  double found = 0;
+  for (const char* part : {"kinetic [J]", "potential [J]", "elastic [J]", "dissipated [J]",
+                           "numerical [J]", "left the map [J]"})
+    found += energy.at(part);
+  EXPECT_NEAR(found / brought, 1, 1e-3);
   const std::string manifest = run.text_of("manifest.toml");
   EXPECT_THAT(manifest, HasSubstr("[[inflow]]\ninflow = \"apex\"\n"));
   EXPECT_THAT(manifest, HasSubstr("hydrograph.csv"));  // among the checksums

@@ -5,6 +5,8 @@
 #include "support/scenes.hpp"
 #include <gtest/gtest.h>
 
+#include "analysis/energy.hpp"
+
 // A block in free space that is drawn out: its density falls as e^{-s t}, its pressure below zero.
 
 namespace sabo {
@@ -17,6 +19,7 @@ struct Drawn {
   double at_surface = 0;  // lowest pressure of the outermost particles, Pa
   double in_middle = 0;   // of one in the middle
   double lowest_density = 0;
+  double unaccounted = 0;  // energy at the end beyond that at the start, over that
 };
 
 Drawn drawn(test::On on, bool tension_at_surface, double time, int rows = side) {
@@ -34,8 +37,14 @@ Drawn drawn(test::On on, bool tension_at_surface, double time, int rows = side) 
   FastRule rule = test::fast_rule_of(model);
   rule.sound_follows_flow = false;
   FastStepper stepper(*backend, rule, nullptr);
+  const auto energy = [&] {
+    return energy_of(backend->fluid(), {}, model.state, !tension_at_surface).total();
+  };
+  const double start = energy();
   stepper.advance_to(time);
   Drawn result{0, 0, 1e9};
+  const double heat = stepper.dissipated() + backend->heat().numerical.total();
+  result.unaccounted = (energy() + heat - start) / start;
   const Particles& after = backend->fluid();
   for (std::size_t i = 0; i < after.size(); ++i) {
     const Vec3d x = after.position[i] - Vec3d{middle, 0, middle};
@@ -61,12 +70,16 @@ TEST_P(Tension, IsBorneInsideAndAtTheSurfaceAsIsAsked) {
   EXPECT_NEAR(inside.in_middle, expected, 0.05 * -expected);
   EXPECT_LT(all.at_surface, 0.3 * expected);
   EXPECT_EQ(inside.at_surface, 0);
+  // Energy that goes into tension is found again, with what is torn as well.
+  EXPECT_NEAR(all.unaccounted, 0, 5e-4);
+  EXPECT_NEAR(inside.unaccounted, 0, 5e-4);
 }
 
 TEST_P(Tension, TornFluidKeepsNearItsDensity) {
   // Two rows, both at the surface, drawn to 1.3 times their length: 3 % below is the least.
   const Drawn torn = drawn(GetParam(), false, 0.3, 2);
   EXPECT_NEAR(torn.lowest_density, 1000 * (1 - 0.03), 1e-9 * 1000);
+  EXPECT_NEAR(torn.unaccounted, 0, 1e-4);
 }
 
 }  // namespace

@@ -18,16 +18,18 @@ void CpuBackend::prepare_rows() {
   velocity_step_.reset(on_, fluids);
   viscous_.resize(fluids);
   half_gradient_.resize(fluids);
-  flow_.resize(fluids + boundary_.size());
-  motion_.resize(fluids + boundary_.size());
-  closing_.resize(fluids + boundary_.size());
+  // At the edge of the list there may be walls that no sweep packs.
+  flow_.assign(fluids + boundary_.size(), {});
+  motion_.assign(fluids + boundary_.size(), {});
+  closing_.assign(fluids + boundary_.size(), {});
   touched_walls_.clear();
-  std::vector<char> is_awake(fluids, 0);
-  for (const std::uint32_t i : awake_) is_awake[i] = 1;
+  std::vector<char> moves(fluids, 0);
+  for (const std::uint32_t i : awake_) moves[i] = 1;
+  for (const std::uint32_t i : driven_) moves[i] = 1;
   for (std::size_t b = fluids; b < list_.size(); ++b) {
     const PairList::Row row = list_.row(b);
-    const auto wakes = [&](std::uint32_t j) { return j < fluids && is_awake[j]; };
-    if (std::any_of(row.fluid, row.boundary, wakes))
+    const auto is_mover = [&](std::uint32_t j) { return j < fluids && moves[j]; };
+    if (std::any_of(row.fluid, row.boundary, is_mover))
       touched_walls_.push_back(static_cast<std::uint32_t>(b));
   }
   wall_pressure_.resize(touched_walls_.size());

@@ -33,6 +33,7 @@ DeviceBackend<Executor>::DeviceBackend(const FlowModel& model, const Executor& o
   on_.upload(std::vector<HalfSpace>{HalfSpace(model.h, model.dimension, model.spacing)},
              half_space_);
   on_.zero(account_, 1);
+  velocity_step_.solver.runs_ahead = true;
 }
 
 template <class Executor>
@@ -355,10 +356,11 @@ void DeviceBackend<Executor>::list_driven() {
 template <class Executor>
 void DeviceBackend<Executor>::prepare_rows() {
   velocity_step_.reset(on_, 0);
-  Array<char> is_awake;
-  on_.zero(is_awake, fluid_.size());
-  over_awake(MarkAwake{is_awake.data()});
-  list_kept(on_, boundary_.size(), IsTouched{fluid_.size(), rows(), is_awake.data()}, touched_);
+  Array<char> moves;
+  on_.zero(moves, fluid_.size());
+  over_awake(MarkMoving{moves.data()});
+  over_driven(MarkMoving{moves.data()});
+  list_kept(on_, boundary_.size(), IsTouched{fluid_.size(), rows(), moves.data()}, touched_);
   swept_ = pairs_;
   if (awake_.size() == fluid_.size()) return;
   const auto pairs_at = [&](const Array<std::uint32_t>& of, std::size_t offset) {

@@ -9,15 +9,16 @@
 
 namespace sabo {
 
-/// Whether a boundary particle, counted from the first, has a fluid particle near it that is awake.
+/// Whether a boundary particle, counted from the first, has a fluid particle near it that is awake
+/// or driven.
 struct IsTouched {
   std::size_t fluid_count;
   PairRows rows;
-  const char* is_awake;
+  const char* moves;
   SABO_HD bool operator()(std::size_t b) const {
     const std::size_t i = fluid_count + b;
     for (std::uint32_t k = 0; k < rows.fluid[i]; ++k)
-      if (is_awake[rows.at(i, k)]) return true;
+      if (moves[rows.at(i, k)]) return true;
     return false;
   }
 };
@@ -149,7 +150,7 @@ struct NearForceSweep {
     sums.acceleration += pressure_force(pair, me.pressure, j.pressure, j.mass);
     const float a = conductance(pair, me, j);
     sums.conductance += a;
-    sums.moments += scaled_square(a, pair.x);
+    if (pairs.scale.whole_viscous_stress) sums.moments += scaled_square(a, pair.x);
     sums.filling += j.volume * pairs.kernel().value(std::sqrt(pair.r2));
     sums.filling_gradient += (j.volume * pair.gradient) * pair.x;
     if constexpr (with_motion) {

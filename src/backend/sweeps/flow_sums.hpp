@@ -124,10 +124,13 @@ struct ChangeSoundSpeed {
   ParticleView fluid;
   bool may_be_torn;  ///< then the pressure of a particle may not be that of its density
   SABO_HD void operator()(std::size_t i, SoundHeat& sum) const {
-    const double before = former.elastic_energy(fluid.density[i]);
-    const double pressure = may_be_torn ? former.pressure(fluid.density[i]) : fluid.pressure[i];
-    fluid.density[i] = state.density(pressure);
-    sum.value += fluid.mass[i] * (before - state.elastic_energy(fluid.density[i]));
+    double& density = fluid.density[i];
+    const double before = former.elastic_energy(density);
+    const double pressure = may_be_torn ? former.pressure(density) : fluid.pressure[i];
+    const double borne = may_be_torn ? former.borne_share(density, fluid.pressure[i]) : 1;
+    density = state.density(pressure);
+    if (fluid.driven[i] != 0) return;  // counts as what it brings, once it is free
+    sum.value += fluid.mass[i] * borne * (before - state.elastic_energy(density));
   }
 };
 

@@ -35,7 +35,7 @@ struct FindWallResistance {
     const WallContact at = contact(i, normal, distance);
     const double resistance = wall_law.resistance(at);
     flow.wall_drag[i] = area * resistance;
-    flow.grip[i] = {(1 / distance) * normal, at.sticking > 0 ? resistance / at.sticking : 1};
+    flow.grip[i] = {(1 / distance) * normal, at.sticking > 0 ? resistance / at.sticking : 0};
   }
 
  private:
@@ -163,8 +163,8 @@ struct AdvanceState {
     const double pressure = borne_pressure(state, mean, borne);
     const double per_density = pressure / (mean * mean);
     sum.diffusion -= mass * per_density * dt * flow.diffusion_rate[i];
-    // Between two particles of the fluid the work of pressure is found again as compression, so
-    // that in the sum over all what is missing went to the walls.
+    // Between two particles of the fluid the work of pressure is found again as compression, but
+    // for what changes over a step: in the sum over all, what is missing went to the walls.
     const Vec3d force = flow.model.body_force(fluid.position[i]);
     const Vec3d velocity =  // mean of the step, as for the heat of viscosity
         fluid.velocity[i] - 0.5 * dt * (flow.acceleration[i] + fluid.drag[i]);
@@ -178,8 +178,12 @@ struct AdvanceState {
     }
     sum.walls -= mass * (dt * pushed + compressed);
     sum.hold += mass * (borne_energy(state, moved, borne) - borne_energy(state, held, borne));
+    if (!flow.model.tension_at_surface)  // what tears lets go of what it stored, or takes it up
+      sum.hold +=
+          mass * (state.borne_share(before, fluid.pressure[i]) * state.elastic_energy(before) -
+                  borne_energy(state, before, borne));
     fluid.position[i] += dt * fluid.velocity[i];
-    fluid.calm[i] = is_calm(flow, i) ? fluid.calm[i] + dt : 0;
+    fluid.calm[i] = is_calm(flow, i) ? smaller(fluid.calm[i] + dt, flow.model.sleep.time) : 0;
     fluid.pressure[i] = borne_pressure(state, fluid.density[i], borne);
   }
 };

@@ -7,8 +7,15 @@
 
 namespace sabo {
 
-SABO_HD inline bool is_asleep(const FlowModel& model, double calm) {
+/// Asleep, or calm for long enough to fall asleep.
+SABO_HD inline bool may_sleep(const FlowModel& model, double calm) {
   return model.sleep.speed > 0 && calm >= model.sleep.time;
+}
+
+/// That it was calm for longer says that WakeAndHold has put it to sleep. What may sleep is swept
+/// until then: it still moves, and its neighbours see that.
+SABO_HD inline bool is_asleep(const FlowModel& model, double calm) {
+  return model.sleep.speed > 0 && calm > model.sleep.time;
 }
 
 /// Whether a fluid particle takes part in the sweeps.
@@ -21,9 +28,9 @@ struct IsAwake {
   }
 };
 
-struct MarkAwake {
-  char* is_awake;
-  SABO_HD void operator()(std::size_t i) const { is_awake[i] = 1; }
+struct MarkMoving {
+  char* moves;
+  SABO_HD void operator()(std::size_t i) const { moves[i] = 1; }
 };
 
 /// Slow, below yield and among others.
@@ -36,7 +43,8 @@ SABO_HD inline bool is_calm(const FlowView& flow, std::size_t i) {
   return fluid.viscosity[i] * fluid.shear_rate[i] < SleepRule::yield_share * yield;
 }
 
-/// Marks sleepers that have a neighbour in motion. `near(i, f)` calls f(j) for the fluid near i.
+/// Marks what is asleep or may sleep and has a neighbour in motion. `near(i, f)` calls f(j) for the
+/// fluid near i.
 template <class Near>
 struct FindWoken {
   FlowView flow;
@@ -45,7 +53,7 @@ struct FindWoken {
   SABO_HD void operator()(std::size_t i) const {
     const double speed = SleepRule::waking * flow.model.sleep.speed;
     bool is_touched = false;
-    if (is_asleep(flow.model, flow.fluid.calm[i]))
+    if (may_sleep(flow.model, flow.fluid.calm[i]))
       near(i, [&](std::size_t j) {
         const Vec3d& v = flow.fluid.velocity[j];
         is_touched = is_touched || dot(v, v) > speed * speed;
@@ -59,13 +67,15 @@ struct CountWoken {
   SABO_HD void operator()(std::size_t i, Total& sum) const { sum.value += wakes[i]; }
 };
 
-/// Wakes those that are marked and holds the others.
+/// Wakes those that are marked, puts the others to sleep and holds them.
 struct WakeAndHold {
   FlowView flow;
   const char* wakes;
   SABO_HD void operator()(std::size_t i) const {
-    if (wakes[i]) flow.fluid.calm[i] = 0;
-    if (!is_asleep(flow.model, flow.fluid.calm[i])) return;
+    double& calm = flow.fluid.calm[i];
+    if (wakes[i]) calm = 0;
+    if (!may_sleep(flow.model, calm)) return;
+    calm = 2 * flow.model.sleep.time;
     flow.fluid.velocity[i] = {};
     flow.fluid.drag[i] = {};
   }
