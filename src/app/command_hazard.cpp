@@ -38,6 +38,7 @@ void add_hazard_command(CLI::App& program, Action& action) {
                    "return period of each run, years: adds the level of hazard by the matrix of "
                    "the rules")
       ->delimiter(',')
+      ->allow_extra_args(false)  // which may be runs
       ->type_name("Y,Y,...");
   command
       ->add_option("-o,--output", options->output,

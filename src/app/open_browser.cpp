@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdlib>
+#include <thread>
 
 #include <spawn.h>
 #include <sys/wait.h>
@@ -16,7 +17,9 @@ void open_browser(const std::string& address) {
   pid_t child = 0;
   if (posix_spawnp(&child, program.c_str(), nullptr, nullptr, arguments.data(), environ) != 0)
     return;
-  waitpid(child, nullptr, 0);  // xdg-open hands over to the browser and ends
+  // Some hand over to a browser and end, others last as long as the browser, which has to be
+  // served.
+  std::thread([child] { waitpid(child, nullptr, 0); }).detach();
 }
 
 }  // namespace sabo

@@ -54,9 +54,12 @@ void Pace::update(const RunProgress& progress) {
   const double wall = progress.wall - last_wall_;
   const auto steps = static_cast<double>(progress.steps);
   const double kept = std::exp(-std::max(0.0, wall) / memory_of_pace);
-  wall_ = kept * wall_ + wall;
-  time_ = kept * time_ + progress.time - last_time_;
-  steps_ = kept * steps_ + steps - last_steps_;
+  if (has_begun_) {  // a run may begin at any time, from the state of another
+    wall_ = kept * wall_ + wall;
+    time_ = kept * time_ + progress.time - last_time_;
+    steps_ = kept * steps_ + steps - last_steps_;
+  }
+  has_begun_ = true;
   last_wall_ = progress.wall;
   last_time_ = progress.time;
   last_steps_ = steps;

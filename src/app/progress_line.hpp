@@ -17,6 +17,7 @@ class Pace {
   std::optional<double> seconds_left() const;
 
  private:
+  bool has_begun_ = false;
   double last_wall_ = 0;   // of the last update, s
   double last_time_ = 0;   // simulated by then, s
   double last_steps_ = 0;  // made by then

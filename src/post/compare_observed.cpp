@@ -238,10 +238,19 @@ class Survey {
                         true);
   }
 
+  /// Outside of the surveyed area nothing is compared.
+  Raster surveyed(const Raster& all) const {
+    Raster part = all;
+    part.values.assign(all.values.size(), Raster::no_data);
+    for (const std::size_t cell : data_.cells) part.values[cell] = all.values[cell];
+    return part;
+  }
+
   void write_depth_error(const FootprintPair& pair) {
     const double least = std::min(data_.wet, data_.observed_wet());
-    const DifferenceSummary sum = summary_of(pair.observed, pair.simulated, least);
-    write_raster(folder_.maps() / "depth_error.tif", difference(pair.observed, pair.simulated),
+    const Raster observed = surveyed(pair.observed), simulated = surveyed(pair.simulated);
+    const DifferenceSummary sum = summary_of(observed, simulated, least);
+    write_raster(folder_.maps() / "depth_error.tif", difference(observed, simulated),
                  {data_.simulated.crs_wkt, "simulated minus observed depth", "m"});
     const std::vector<ColourStep> steps = difference_steps(sum.scale);
     folder_.write("maps/depth_error.qml", qgis_step_style("depth error [m]", steps));
@@ -250,7 +259,7 @@ class Survey {
     map.steps = steps;
     folder_.add_picture(
         "depth_error.svg",
-        map_svg(map, run_.ground().raster, shown_difference(pair.observed, pair.simulated, least)),
+        map_svg(map, run_.ground().raster, shown_difference(observed, simulated, least)),
         "Simulated minus observed depth (maps/depth_error.tif)", true);
   }
 
@@ -271,6 +280,7 @@ class Survey {
 PostResult compare_observed(const fs::path& run, const ObservedOptions& options,
                             const fs::path& output) {
   const FinishedRun finished(run);
+  finished.need_case();
   ObservedCase observed = observed_case(finished, options);
   ObservedData data;
   if (observed.has_footprint()) data = read_observed(finished, observed);

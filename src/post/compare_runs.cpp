@@ -42,7 +42,7 @@ PageTable quantity_table(const FinishedRun& a, const FinishedRun& b) {
 
 /// The line of a map in the table of maps.
 std::vector<std::string> map_row(const RunMap& a, const Raster& b, const DifferenceSummary& sum) {
-  const double volume = a.unit == "m" ? sum.integral : std::nan("");
+  const double volume = a.name == "dep" ? sum.integral : std::nan("");
   return {fmt::format("{} [{}]", a.name, a.unit),
           table_number(greatest_value(a.raster)),
           table_number(greatest_value(b)),
@@ -223,6 +223,7 @@ PostResult compare_runs(const fs::path& a, const fs::path& b, const fs::path& ou
   std::vector<FinishedRun> runs;
   runs.emplace_back(a);
   runs.emplace_back(b);
+  for (const FinishedRun& run : runs) run.need_case();
   aligned(runs[1].ground(), runs[0].ground());  // whether they can be compared, before writing
   ResultFolder folder(output.empty() ? a / "compare" : output, "compare", {a, b});
   return RunComparison(runs, folder).carry_out();

@@ -58,6 +58,12 @@ std::optional<double> FinishedRun::simulated() const {
   return number_at(table("run"), "simulated_s");
 }
 
+void FinishedRun::need_case() const {
+  if (!(case_.numerics.spacing > 0))
+    throw CaseError((folder_ / "case.toml").string(), "tells no spacing: " + case_problem_,
+                    "run the case again");
+}
+
 double FinishedRun::wet_depth() const { return sabo::wet_depth(case_.numerics.spacing); }
 
 bool FinishedRun::has_map(std::string_view name) const {

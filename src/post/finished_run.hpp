@@ -51,6 +51,8 @@ class FinishedRun {
   const Case& run_case() const { return case_; }
   /// Why the case cannot be made again, e.g. that an input file is gone; "" when nothing is wrong.
   const std::string& case_problem() const { return case_problem_; }
+  /// Throws CaseError where it cannot be read at all, and defaults would stand for it.
+  void need_case() const;
   /// Depth above which a cell counted as wet, m.
   double wet_depth() const;
 

@@ -102,7 +102,7 @@ class HazardStudy {
     for (const PageTable& table : tables_)
       for (const std::string& line : text_of(table)) result.summary.push_back(line);
     for (const std::string& note : notes_) result.summary.push_back("note: " + note);
-    result.summary.push_back("caution: " + rules_.caution);
+    if (!rules_.caution.empty()) result.summary.push_back("caution: " + rules_.caution);
     result.index = folder.write_page(std::move(page));
     return result;
   }
@@ -263,7 +263,7 @@ PostResult hazard_maps(const HazardOptions& options) {
   check_periods(options, rules);
   refuse_twice(options.runs);
   std::vector<FinishedRun> runs;
-  for (const fs::path& run : options.runs) runs.emplace_back(run);
+  for (const fs::path& run : options.runs) runs.emplace_back(run).need_case();
   HazardStudy study(rules, runs, options.return_periods);
   ResultFolder folder(options.output.empty() ? options.runs.front() / "hazard" : options.output,
                       "hazard", options.runs);

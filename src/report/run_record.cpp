@@ -35,8 +35,8 @@ void RunRecord::read_case_file() {
     return;
   }
   case_text_ = *text;
-  // Faults are of use here only where they leave nothing: inputs may have moved since the run.
-  Case c = read_case_text(*content, folder_, faults);
+  // Faults are of use here only where they leave nothing.
+  Case c = read_former_case(*content, folder_, faults);
   if (c.numerics.spacing > 0) case_ = std::move(c);
 }
 

@@ -49,7 +49,7 @@ std::optional<BatchRecord> finished_record(const std::filesystem::path& folder, 
   const auto text = read_file(folder / "manifest.toml", largest_manifest);
   if (!text) return std::nullopt;
   Faults faults;
-  const auto manifest = parse_toml(*text, "manifest.toml", faults);
+  const auto manifest = parse_toml(*text, "manifest.toml", faults, largest_manifest);
   if (!manifest) return std::nullopt;
   const TomlTable& run = table_at(*manifest, "run");
   if (text_at(run, "end") != "finished" || text_at(run, "version") != build_version)

@@ -39,10 +39,11 @@ FoundCheckpoint checkpoint_at(const BranchOrigin& origin, double tolerance,
 
 void check_case(const Case& c, const Scene& scene, const FoundCheckpoint& checkpoint) {
   Faults faults;
-  if (!scene.inflows.empty())
+  const Case before = case_of(checkpoint);
+  if (!scene.inflows.empty() || !before.inflows.empty())
     faults.add("inflow", "a run with inflows cannot be branched",
                "run the changed case from its start");
-  for (const KeyDifference& difference : case_differences(case_of(checkpoint), c)) {
+  for (const KeyDifference& difference : case_differences(before, c)) {
     const auto is_in = [&](std::string_view key) { return difference.key.starts_with(key); };
     if (std::ranges::none_of(fixed_keys, is_in)) continue;
     faults.add(difference.key,

@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <omp.h>
 
+#include "base/error.hpp"
 #include "base/host_loops.hpp"
 #include "run/flow.hpp"
 #include "run/memory_estimate.hpp"
@@ -220,6 +221,8 @@ CostForecast measured_forecast(const Case& c, const Scene& scene) {
   outlook.top_speed = speed_bound(c, scene);
   outlook.fluid = mean_particles(c, scene);
   outlook.latest_ground = expected_boundary(model, scene.particles_until(c.run.duration));
+  if (!(outlook.fluid > 0) || flow.backend().fluid_count() == 0)
+    throw RunError("there is no flow to step");
   CostForecast result = forecast(measure(flow, c.run.duration), outlook);
   result.threads = host_threads(model.threads);
   result.on_card = on_card;

@@ -14,7 +14,7 @@ constexpr const char* remedy = "give a folder that `sabo run` has written";
 
 TomlTable parse_manifest(std::string_view text, const std::string& name) {
   Faults faults;
-  auto manifest = parse_toml(text, name, faults);
+  auto manifest = parse_toml(text, name, faults, largest_manifest);
   faults.throw_if_any();
   const TomlNode* run = find(*manifest, "run");
   if (!run || !std::holds_alternative<TomlTable>(run->value))

@@ -9,7 +9,7 @@
 
 namespace sabo {
 
-inline constexpr std::size_t largest_manifest = 1'000'000;  ///< bytes
+inline constexpr std::size_t largest_manifest = 50'000'000;  ///< bytes; a load takes some 300
 
 /// The text of a manifest, from the file `name`. Throws CaseError when it is no TOML or has no
 /// table [run].

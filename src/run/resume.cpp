@@ -61,7 +61,7 @@ void check_same_case(const Case& c, const FoundCheckpoint& checkpoint) {
 
 Case case_of(const FoundCheckpoint& checkpoint) {
   Faults faults;
-  Case c = read_case_text(checkpoint.head.case_text, checkpoint.file.parent_path(), faults);
+  Case c = read_former_case(checkpoint.head.case_text, checkpoint.file.parent_path(), faults);
   if (!faults.empty())
     throw RunError(checkpoint.file.string() +
                    " was written by another version, whose case this one cannot read: " +

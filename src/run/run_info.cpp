@@ -53,7 +53,6 @@ const std::map<std::string_view, std::string_view> units{{"wall_s", "s"},
                                                          {"peak_level", "m"},
                                                          {"peak_force", "N"},
                                                          {"filter", "s"},
-                                                         {"impulse", "N s"},
                                                          {"hydrostatic", "N"},
                                                          {"dynamic", "N"},
                                                          {"mean_dt", "s"}};

@@ -162,11 +162,15 @@ class Simulation {
   }
 
   void write_due_checkpoint() {
+    if (flow_.stepper().neighbours_are_due()) return;
     const double interval = case_.run.checkpoint_interval;
     const double kept_interval = case_.run.kept_checkpoint_interval;
     const bool is_kept = kept_interval > 0 && flow_.stepper().time() >= kept_due_;
     while (is_kept && kept_due_ <= flow_.stepper().time()) kept_due_ += kept_interval;
-    if (is_kept || (interval > 0 && seconds_since(checkpointed_) >= interval))
+    // The last step may leave no state to go on from, if an inflow changes the particles then.
+    const bool is_last = !flow_.domain().inflows().empty() &&
+                         case_.run.duration - flow_.stepper().time() < 2 * report_.dt;
+    if (is_kept || is_last || (interval > 0 && seconds_since(checkpointed_) >= interval))
       write_checkpoint(is_kept);
   }
 

@@ -178,7 +178,7 @@ void remove_pictures(const fs::path& run_folder) {
 
 fs::path draw_states(const fs::path& run_folder, const std::vector<double>& times) {
   const auto& [c, scene] = scene_of_run(run_folder);
-  const std::vector<PvdEntry> frames = frames_of(run_folder);
+  const std::vector<PvdEntry> frames = chosen_frames(frames_of(run_folder), times);
 
   remove_pictures(run_folder);
   IndexPage page;
@@ -186,7 +186,7 @@ fs::path draw_states(const fs::path& run_folder, const std::vector<double>& time
   page.subtitle = "Depth, speed and pressure; one colour scale for each quantity";
   page.note = c.note;
   page.columns = quantities.size();
-  page.pictures = StatePictures(run_folder, c, scene).draw(chosen_frames(frames, times));
+  page.pictures = StatePictures(run_folder, c, scene).draw(frames);
   const fs::path file = run_folder / "states.html";
   write_file_atomically(file, index_html(page));
   return file;

@@ -76,6 +76,10 @@ std::vector<StudyRun> study_plan(const StudyRequest& request) {
     Faults faults;
     const Case c = case_at(request, spacing, faults);
     faults.throw_if_any();  // the same at every spacing but for the range of the key
+    if (request.members > 1 && !c.release.given())
+      throw CaseError("--members",
+                      "would all be the same: only particles of a release are jittered",
+                      "leave it out");
     check_scene(c);
     add_runs(request, spacing, c, runs);
   }

@@ -24,6 +24,7 @@ RunProgress halfway() {
 
 TEST(ProgressLine, SaysHowARunStands) {
   Pace pace;
+  pace.update({});
   pace.update(halfway());
   EXPECT_EQ(progress_text(halfway(), pace, true, 200),
             " 50 %  60.0/120 s  1:30 left  front 512 m 9.8 m/s  fastest 14.2 m/s  "
@@ -61,6 +62,17 @@ TEST(Pace, KnowsNothingBeforeTheRunHasMoved) {
   p.time = 0;
   pace.update(p);
   EXPECT_FALSE(pace.seconds_left());
+}
+
+TEST(Pace, BeginsWhereTheRunDoes) {
+  Pace pace;
+  RunProgress p = halfway();
+  pace.update(p);
+  EXPECT_FALSE(pace.seconds_left());
+  p.wall += 1;
+  p.time += 2;
+  pace.update(p);
+  EXPECT_NEAR(*pace.seconds_left(), 29, 1e-9);  // 58 s at 2 s a second
 }
 
 TEST(Pace, ForgetsTheDistantPast) {

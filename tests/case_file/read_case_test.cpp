@@ -269,9 +269,12 @@ TEST(ReadCase, PathsMayLeaveTheFolder) {
   EXPECT_EQ(c.release.polygon.file, folder.path() / "release.gpkg");
 }
 
-TEST(ReadCase, VirtualFilesOfGdalAreLeftToGdal) {
-  const Case c = read_without_faults(with(smallest_case, "dem.tif", "/vsizip/a.zip/dem.tif"));
-  EXPECT_EQ(c.terrain.dem, "/vsizip/a.zip/dem.tif");
+TEST(ReadCase, FilesOfAFormerRunMayBeGone) {
+  Faults faults;
+  const Case c = read_former_case(with(smallest_case, "dem.tif", "/gone/dem.tif"), "/gone", faults);
+  EXPECT_TRUE(faults.empty());
+  EXPECT_EQ(c.terrain.dem, "/gone/dem.tif");
+  EXPECT_EQ(c.release.polygon.file, "/gone/release.gpkg");
 }
 
 TEST(ReadCase, NoSuchFile) {

@@ -315,6 +315,9 @@ TEST(Rules, KeysOfOneMethodAreRefusedByTheOther) {
   EXPECT_THAT(messages(smallest_case + "method = \"paper\"\nparticle_shifting = 20\n"),
               ElementsAre("case.toml:12 numerics.particle_shifting: applies to method \"fast\" "
                           "only; remove it, or choose method = \"fast\""));
+  EXPECT_THAT(messages(smallest_case + "method = \"paper\"\nsleep_time = 2\n"),
+              ElementsAre("case.toml:12 numerics.sleep_time: applies to method \"fast\" only; "
+                          "remove it, or choose method = \"fast\""));
   EXPECT_THAT(messages(smallest_case + "method = \"paper\"\nviscous_operator = \"morris\"\n"),
               IsEmpty());
 }

@@ -6,11 +6,14 @@
 
 #include "support/archives.hpp"
 #include "support/temporary_folder.hpp"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
 #include "io/case_file/read_case.hpp"
+#include "run/channel.hpp"
+#include "run/checkpoints.hpp"
 #include "run/finished_run.hpp"
 #include "run/flow.hpp"
 #include "run/scene_of.hpp"
@@ -196,16 +199,71 @@ TEST(Resume, AStoppedRunGivesTheSameFilesPaper) {
   expect_same_results_after_stops(tank_case(paper));
 }
 
+/// With water that stands beyond the inflow.
+std::string channel_case(const std::string& inflows, double duration) {
+  return channel + "[release]\nbox = [7, 2, 0, 8, 3, 0.8]\n" + inflows +
+         "[numerics]\nspacing = 0.25\nthreads = 1\n" +
+         fmt::format("[run]\nduration = {}\noutput_interval = 0.5\nseries_interval = 0.1\n",
+                     duration);
+}
+
 TEST(Resume, AStoppedInflowGivesTheSameFiles) {
-  expect_same_results_after_stops(
-      "[terrain.plane]\nextent = [0, 0, 11, 5]\nslope = 3\ncell_size = 0.5\n"
-      "[[body]]\nkind = \"box\"\nmin = [-1, 0, -1]\nmax = [12, 1.5, 3]\n"
-      "[[body]]\nkind = \"box\"\nmin = [-1, 3.5, -1]\nmax = [12, 5, 3]\n"
-      "[material]\ndensity = 1000\nrheology = \"newtonian\"\nviscosity = 0.1\n"
-      "[[inflow]]\nname = \"apex\"\nline = [[1, 1.5], [1, 3.5]]\nspeed = 2.5\n"
-      "[[inflow.surge]]\nstart = 0\npeak_time = 0\nend = 1e6\npeak_discharge = 5\n"
-      "[numerics]\nspacing = 0.25\nthreads = 1\n"
-      "[run]\nduration = 1.5\noutput_interval = 0.5\nseries_interval = 0.1\n");
+  expect_same_results_after_stops(channel_case(inflow + steady, 1.5));
+}
+
+// An inflow changes the particles at one step in a dozen; these end at ten in a row.
+TEST(Resume, ARunWithAnInflowHasACheckpointWhereverItEnds) {
+  for (int k = 0; k < 10; ++k) {
+    const TemporaryFolder folder;
+    const double duration = 0.2 + 0.004 * k;
+    const Case c = read(channel_case(inflow + steady, duration));
+    RunOptions options;
+    options.folder = folder / "run";
+    ASSERT_EQ(run_case(c, options).end, RunEnd::finished);
+    const auto found = find_checkpoints(folder / "run/checkpoint", [](const std::string&) {});
+    ASSERT_FALSE(found.empty()) << duration;
+    EXPECT_GT(found.front().head.time, duration - 0.02);
+  }
+}
+
+TEST(Resume, ARunWithAnInflowIsNotBranchedToACaseWithoutOne) {
+  const TemporaryFolder folder;
+  RunOptions options;
+  options.folder = folder / "run";
+  run_case(read(channel_case(inflow + steady, 0.3)), options);
+  options.folder = folder / "branch";
+  options.branch = {folder / "run", 0.3};
+  try {
+    run_case(read(channel_case("", 0.6)), options);
+    FAIL() << "branched";
+  } catch (const CaseError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("a run with inflows cannot be branched"));
+  }
+}
+
+TEST(Resume, ACaseThatHasMovedGoesOn) {
+  const TemporaryFolder folder;
+  fs::create_directory(folder / "old");
+  folder.write("old/release.txt", "0.2 0.2 0.05\n0.3 0.3 0.05\n");
+  const auto moved_to = [&](const std::string& place) {
+    Faults faults;
+    Case c = read_case_text(
+        "[terrain.plane]\nextent = [0, 0, 2, 1]\n[release]\npoints = \"release.txt\"\npoint_volume "
+        "= 0.001\n"
+        "[material]\nrheology = \"newtonian\"\n"
+        "[numerics]\nspacing = 0.1\nthreads = 1\n[run]\nduration = 0.02\n",
+        folder / place, faults);
+    for (const Fault& fault : faults.list()) ADD_FAILURE() << to_string(fault);
+    return c;
+  };
+  RunOptions options;
+  options.folder = folder / "run";
+  run_case(moved_to("old"), options);
+  fs::rename(folder / "old", folder / "new");
+  Case c = moved_to("new");
+  c.run.duration = 0.04;
+  options.former = FormerRun::resumed;
+  EXPECT_EQ(run_case(c, options).end, RunEnd::finished);
 }
 
 }  // namespace

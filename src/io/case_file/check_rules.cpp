@@ -10,6 +10,7 @@
 #include "io/case_file/check_parts.hpp"
 #include "io/case_file/check_structures.hpp"
 #include "io/case_file/key_text.hpp"
+#include "io/case_file/listing.hpp"
 #include "physics/viscosity_of_concentration.hpp"
 
 namespace sabo {
@@ -240,36 +241,24 @@ void check_wall(const NumericsCase& numerics, Faults& faults) {
   }
 }
 
-/// Switches of one method would do nothing with the other.
+/// Keys that only the other method reads, as their help says, would do nothing.
 void check_switches(const NumericsCase& numerics, Faults& faults) {
-  if (numerics.method == Method::paper) {
-    if (numerics.particle_shifting)
-      faults.add("numerics.particle_shifting", "applies to method \"fast\" only",
-                 "remove it, or choose method = \"fast\"");
-    if (numerics.tension_at_surface != TensionAtSurface::by_law)
-      faults.add("numerics.tension_at_surface", "applies to method \"fast\" only",
-                 "remove it, or choose method = \"fast\"");
-    return;
-  }
-  const NumericsCase plain;
-  const struct {
-    const char* key;
-    bool is_given;
-  } switches[] = {{"viscous_operator", numerics.viscous_operator != plain.viscous_operator},
-                  {"boundary_stress", numerics.boundary_stress != plain.boundary_stress},
-                  {"boundary_pressure", numerics.boundary_pressure != plain.boundary_pressure},
-                  {"viscous_cfl", numerics.viscous_cfl.has_value()}};
-  for (const auto& [name, is_given] : switches) {
-    const std::string key = fmt::format("numerics.{}", name);
-    if (is_given && !faults.has(key))
-      faults.add(key, "applies to method \"paper\" only",
-                 "remove it, or choose method = \"paper\"");
+  const bool is_fast = numerics.method == Method::fast;
+  const std::string_view other = word_of(is_fast ? Method::paper : Method::fast);
+  const std::vector<ListedKey> given = list_keys(numerics), plain = list_keys(NumericsCase{});
+  for (std::size_t k = 0; k < given.size(); ++k) {
+    const std::string key = "numerics." + given[k].name;
+    if (!given[k].help.starts_with(fmt::format("{}:", other)) || given[k].value == plain[k].value ||
+        faults.has(key))
+      continue;
+    faults.add(key, fmt::format("applies to method \"{}\" only", other),
+               fmt::format("remove it, or choose method = \"{}\"", other));
   }
 }
 
 void check_numerics(const NumericsCase& numerics, Faults& faults) {
-  check_switches(numerics, faults);
   check_wall(numerics, faults);
+  check_switches(numerics, faults);
   if (numerics.gravity == 0 && numerics.reference_speed == 0 &&
       !faults.has("numerics.reference_speed")) {
     faults.add("numerics.reference_speed", "without gravity nothing else sets the sound speed",

@@ -117,6 +117,13 @@ std::vector<ListedTable> list_tables(Case c) {
   return tables;
 }
 
+std::vector<ListedKey> list_keys(NumericsCase numerics) {
+  std::vector<ListedTable> tables;
+  Lister lister(tables, {});
+  numerics.describe(lister);
+  return tables.front().keys;
+}
+
 std::vector<ListedKey> list_keys(Rheology law, MohrCoulomb yield) {
   std::vector<ListedTable> tables;
   Lister lister(tables, {});

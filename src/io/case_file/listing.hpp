@@ -29,6 +29,9 @@ struct ListedTable {
 /// tables that are not given appear once with their defaults.
 std::vector<ListedTable> list_tables(Case c);
 
+/// The keys of [numerics] with their values.
+std::vector<ListedKey> list_keys(NumericsCase numerics);
+
 /// The keys of a rheology with its values, those of its yield stress included.
 std::vector<ListedKey> list_keys(Rheology law, MohrCoulomb yield = {});
 

@@ -20,6 +20,7 @@ struct FileContext {
   std::filesystem::path folder;
   std::string file_name;
   Faults& faults;
+  bool files_may_be_gone = false;
 
   void remember(const std::string& path, const TomlNode& node) const {
     if (node.line > 0) {
@@ -73,7 +74,8 @@ class TableReader {
       }
       return;
     }
-    const FoundKey found{key, *node, path_of(key.name), file_.folder, file_.faults};
+    const FoundKey found{key,          *node,        path_of(key.name),
+                         file_.folder, file_.faults, file_.files_may_be_gone};
     if constexpr (OptionalTable<T>) {
       const auto* inner = std::get_if<TomlTable>(&node->value);
       if (!inner) return found.refuse_type(wanted_text<T>(key));
@@ -283,6 +285,10 @@ Case read_case_text(std::string_view text, const std::filesystem::path& folder, 
   std::error_code error;
   const std::filesystem::path absolute = std::filesystem::absolute(folder, error);
   return read_text(text, {absolute.lexically_normal(), name, faults}, overrides);
+}
+
+Case read_former_case(std::string_view text, const std::filesystem::path& folder, Faults& faults) {
+  return read_text(text, {folder, "case.toml", faults, true}, {});
 }
 
 }  // namespace sabo

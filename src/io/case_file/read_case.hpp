@@ -34,4 +34,8 @@ Case read_case_text(std::string_view text, const std::filesystem::path& folder, 
                     const std::vector<Override>& overrides = {},
                     const std::string& name = "case.toml");
 
+/// The case of a former run, from a text that write_case() made: files that it names may have gone
+/// or moved since.
+Case read_former_case(std::string_view text, const std::filesystem::path& folder, Faults& faults);
+
 }  // namespace sabo

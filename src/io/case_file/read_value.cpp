@@ -10,9 +10,8 @@
 namespace sabo {
 namespace {
 
-constexpr std::size_t max_text = 1000;            // characters of a text, bytes of a path
-constexpr double max_coordinate = 1e8;            // m
-constexpr std::string_view gdal_prefix = "/vsi";  // GDAL's virtual file systems
+constexpr std::size_t max_text = 1000;  // characters of a text, bytes of a path
+constexpr double max_coordinate = 1e8;  // m
 
 std::string shortened(const std::string& text) {
   constexpr std::size_t limit = 40;
@@ -81,8 +80,8 @@ std::optional<std::filesystem::path> read_file_name(const FoundKey& found,
     found.faults.add(found.path, "the file name is empty", "give a file name or remove the key");
     return std::nullopt;
   }
-  if (name->starts_with(gdal_prefix)) return *name;
   const std::filesystem::path path = (found.folder / *name).lexically_normal();
+  if (found.files_may_be_gone) return path;
   std::error_code error;
   if (!std::filesystem::exists(path, error)) {
     found.faults.add(found.path, "there is no file " + path.string(),

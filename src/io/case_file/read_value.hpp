@@ -21,6 +21,7 @@ struct FoundKey {
   std::string path;                     ///< "numerics.spacing", where faults are reported
   const std::filesystem::path& folder;  ///< where relative paths start
   Faults& faults;
+  bool files_may_be_gone = false;  ///< file names are taken as they are
 
   /// Adds a fault that says what stands in the file and what is wanted.
   void refuse_type(const std::string& wanted) const;

@@ -4,35 +4,14 @@
 
 #include <fmt/format.h>
 
+#include "base/utf8.hpp"
+
 namespace sabo {
 namespace {
 
-constexpr std::size_t max_bytes = 1'000'000;
 constexpr int max_dots = 200;  // of keys in one line
 
 bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
-/// Bytes of the UTF-8 sequence at the start of `text` (RFC 3629), 0 when there is none.
-std::size_t sequence_length(std::string_view text) {
-  const auto byte = [&](std::size_t i) {
-    return i < text.size() ? static_cast<unsigned char>(text[i]) : 0u;
-  };
-  const unsigned lead = byte(0);
-  if (lead < 0x80) return 1;
-  const std::size_t length = lead < 0xC2   ? 0
-                             : lead < 0xE0 ? 2
-                             : lead < 0xF0 ? 3
-                             : lead < 0xF5 ? 4
-                                           : 0;
-  for (std::size_t i = 1; i < length; ++i) {
-    if ((byte(i) & 0xC0u) != 0x80) return 0;
-  }
-  // Overlong forms, surrogates and values above U+10FFFF show in the second byte.
-  const unsigned second = byte(1);
-  const bool is_wrong = (lead == 0xE0 && second < 0xA0) || (lead == 0xED && second > 0x9F) ||
-                        (lead == 0xF0 && second < 0x90) || (lead == 0xF4 && second > 0x8F);
-  return is_wrong ? 0 : length;
-}
 
 /// Dots that cannot belong to a number: none in "1.5", one in "a.b" and in "1.2.3". They bound the
 /// depth of the tables that a line makes.
@@ -55,7 +34,7 @@ int count_key_dots(std::string_view line) {
 /// Problem and remedy of one line, without its number.
 std::optional<UnfitText> find_unfit_line(std::string_view line) {
   for (std::size_t i = 0; i < line.size();) {
-    const std::size_t length = sequence_length(line.substr(i));
+    const std::size_t length = utf8_length(line, i);
     const unsigned byte = static_cast<unsigned char>(line[i]);
     if (length == 0) {
       return UnfitText{0, fmt::format("byte 0x{:02x} is not UTF-8", byte),
@@ -76,17 +55,18 @@ std::optional<UnfitText> find_unfit_line(std::string_view line) {
 }  // namespace
 
 bool is_utf8(std::string_view text) {
-  while (!text.empty()) {
-    const std::size_t length = sequence_length(text);
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
     if (length == 0) return false;
-    text.remove_prefix(length);
+    i += length;
   }
   return true;
 }
 
-std::optional<UnfitText> find_unfit_text(std::string_view text) {
-  if (text.size() > max_bytes) {
-    return UnfitText{0, "larger than 1 MB", "give long lines as vector files, not as coordinates"};
+std::optional<UnfitText> find_unfit_text(std::string_view text, std::size_t most_bytes) {
+  if (text.size() > most_bytes) {
+    return UnfitText{0, fmt::format("larger than {} MB", most_bytes / 1'000'000),
+                     "give long lines as vector files, not as coordinates"};
   }
   std::size_t number = 1;
   for (std::size_t begin = 0; begin < text.size(); ++number) {

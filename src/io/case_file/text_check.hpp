@@ -13,9 +13,12 @@ struct UnfitText {
   std::string remedy;
 };
 
-/// What makes a text unfit for the TOML parser, which does not stand every input: more than 1 MB,
+inline constexpr std::size_t largest_text = 1'000'000;  ///< bytes, of what a user writes
+
+/// What makes a text unfit for the TOML parser, which does not stand every input: a great size,
 /// bytes that are not UTF-8, control characters, very deep keys. Nothing when it is fit.
-std::optional<UnfitText> find_unfit_text(std::string_view text);
+std::optional<UnfitText> find_unfit_text(std::string_view text,
+                                         std::size_t most_bytes = largest_text);
 
 bool is_utf8(std::string_view text);
 

@@ -167,8 +167,8 @@ std::vector<const TomlTable*> tables_at(const TomlTable& table, std::string_view
 }
 
 std::optional<TomlTable> parse_toml(std::string_view text, const std::string& file_name,
-                                    Faults& faults) {
-  if (const auto unfit = find_unfit_text(text)) {
+                                    Faults& faults, std::size_t most_bytes) {
+  if (const auto unfit = find_unfit_text(text, most_bytes)) {
     add_fault(file_name, unfit->line, unfit->problem, unfit->remedy, faults);
     return std::nullopt;
   }

@@ -40,8 +40,8 @@ const TomlTable& table_at(const TomlTable& table, std::string_view key);
 std::vector<const TomlTable*> tables_at(const TomlTable& table, std::string_view key);
 
 /// Parses a TOML text. Adds a fault (with the place "file_name:line") and returns nothing when the
-/// text is longer than 1 MB, is not valid UTF-8, has control characters or is not TOML.
+/// text is longer than `most_bytes`, is not valid UTF-8, has control characters or is not TOML.
 std::optional<TomlTable> parse_toml(std::string_view text, const std::string& file_name,
-                                    Faults& faults);
+                                    Faults& faults, std::size_t most_bytes = 1'000'000);
 
 }  // namespace sabo

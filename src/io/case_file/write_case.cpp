@@ -1,7 +1,10 @@
 #include "io/case_file/write_case.hpp"
 
+#include <set>
+
 #include <fmt/format.h>
 
+#include "base/capitalised.hpp"
 #include "io/case_file/listing.hpp"
 #include "io/case_file/models.hpp"
 
@@ -47,9 +50,13 @@ std::string table_text(const ListedTable& table) {
   return text;
 }
 
-std::string sentence(std::string text) {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z') text[0] -= 'a' - 'A';
-  return text + ".";
+/// The same of a table whose keys have been told of: a list of hundreds stays readable.
+std::string short_table_text(const ListedTable& table) {
+  if (!table.is_given) return "";
+  std::string text = fmt::format("\n{}\n", header(table));
+  for (const ListedKey& key : table.keys)
+    if (!key.value.empty()) text += fmt::format("{} = {}\n", key.name, key.value);
+  return text;
 }
 
 /// A cell of a Markdown table.
@@ -83,7 +90,9 @@ std::string keys_table(const std::vector<ListedKey>& keys) {
 
 std::string write_case(const Case& c) {
   std::string text;
-  for (const ListedTable& table : list_tables(c)) text += table_text(table);
+  std::set<std::string> told;
+  for (const ListedTable& table : list_tables(c))
+    text += told.insert(table.name).second ? table_text(table) : short_table_text(table);
   return text;
 }
 
@@ -94,13 +103,16 @@ std::string keys_markdown() {
   for (ListedTable& table : list_tables(Case{})) {
     const bool is_material = table.name == "material";
     if (is_material) drop_law(table.keys);
-    text += table.name.empty()
-                ? "## Head of the file\n\n"
-                : fmt::format("## `{}`\n\n{}\n\n", header(table), sentence(table.help));
+    text += table.name.empty() ? "## Head of the file\n\n"
+                               : fmt::format("## `{}`\n\n{}\n\n", header(table),
+                                             capitalised(std::string(table.help)) + ".");
     text += keys_table(table.keys) + "\n";
     if (is_material)
-      text += "The keys of each law of flow stand on its own page:\n\n" + laws_table("rheology/") +
-              "\n";
+      text +=
+          "The keys of each law (`viscosity`, `cohesion`, `friction_angle`, `pore_pressure_ratio`, "
+          "...) stand in this table "
+          "too; its page has them:\n\n" +
+          laws_table("rheology/") + "\n";
   }
   return text;
 }

@@ -87,14 +87,17 @@ void compare_with_run(Report& report) {
                  say("axis.displacement"));
 }
 
-/// A table of any columns, as its file has it.
+/// A table of any columns as its file has it, or its beginning.
 void show_table(Report& report, const fs::path& file, const std::string& name) {
   const auto content = read_file(file, max_picture);
   if (!content) return;
   ReportTable table;
   std::string_view rest = *content;
-  while (!rest.empty() && table.rows.size() < max_rows) {
+  bool is_cut = false;
+  while (!rest.empty()) {
     std::vector<std::string> fields = next_csv_line(rest).value_or(std::vector<std::string>{});
+    is_cut = is_cut || fields.size() > max_columns || table.rows.size() == max_rows;
+    if (table.rows.size() == max_rows) break;
     if (fields.size() > max_columns) fields.resize(max_columns);
     for (std::string& field : fields) field = shown_unit(field);
     if (!table.header.empty())
@@ -108,6 +111,7 @@ void show_table(Report& report, const fs::path& file, const std::string& name) {
   }
   table.source = data_line(report, {name});
   report.page.table(table);
+  if (is_cut) report.page.text(report.say("compare.cut", name));
 }
 
 /// Of the pictures of two runs beside each other those that say most; the rest is on their page.

@@ -41,7 +41,8 @@ void add_peak_table(Report& report, const NumberTable& table,
   }
   for (const std::string& section : sections) {
     const auto peak = peak_of(table, section + discharge);
-    const auto arrival = run.quantity("arrival at " + section + " [s]");
+    auto arrival = run.quantity("arrival at section " + section + " [s]");  // see key_quantities()
+    if (!arrival) arrival = run.quantity("arrival at " + section + " [s]");
     peaks.rows.push_back({section, arrival ? fixed(*arrival, 1) : "–",
                           peak ? amount(peak->value) : "–", peak ? fixed(peak->time, 1) : "–",
                           amount_or_dash(passed(table, section))});
