@@ -5,6 +5,7 @@
 #include <numbers>
 #include <utility>
 
+#include "geometry/nearest_on_triangle.hpp"
 #include "geometry/solid_angle.hpp"
 
 namespace sabo {
@@ -13,28 +14,6 @@ namespace {
 constexpr std::uint32_t most_in_leaf = 4;  // triangles
 constexpr double far = 2;                  // radii from which a dipole stands for triangles
 constexpr int deepest = 64;                // of the tree, which halves: more than 32 bits need
-
-/// Nearest point of a triangle (Ericson 2005, Real-Time Collision Detection, 5.1.5).
-Vec3d nearest_on_triangle(const Vec3d& a, const Vec3d& b, const Vec3d& c, const Vec3d& p) {
-  const Vec3d ab = b - a, ac = c - a, ap = p - a;
-  const double d1 = dot(ab, ap), d2 = dot(ac, ap);
-  if (d1 <= 0 && d2 <= 0) return a;
-  const Vec3d bp = p - b;
-  const double d3 = dot(ab, bp), d4 = dot(ac, bp);
-  if (d3 >= 0 && d4 <= d3) return b;
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0 && d1 >= 0 && d3 <= 0) return a + (d1 / (d1 - d3)) * ab;
-  const Vec3d cp = p - c;
-  const double d5 = dot(ab, cp), d6 = dot(ac, cp);
-  if (d6 >= 0 && d5 <= d6) return c;
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0 && d2 >= 0 && d6 <= 0) return a + (d2 / (d2 - d6)) * ac;
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0 && d4 - d3 >= 0 && d5 - d6 >= 0)
-    return b + ((d4 - d3) / ((d4 - d3) + (d5 - d6))) * (c - b);
-  const double sum = va + vb + vc;
-  return a + (vb / sum) * ab + (vc / sum) * ac;
-}
 
 double distance_to(const Bounds& box, const Vec3d& p) {
   const Vec3d outside{std::max({box.low.x - p.x, p.x - box.high.x, 0.0}),
@@ -108,7 +87,7 @@ void MeshDistance::search(const Vec3d& point, MeshPoint& best, Accepts&& accepts
     if (node.second == 0) {
       for (std::uint32_t t = node.first; t < node.last; ++t) {
         const Vec3d found =
-            nearest_on_triangle(mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2), point);
+            nearest_on_triangle(point, mesh_.corner(t, 0), mesh_.corner(t, 1), mesh_.corner(t, 2));
         const MeshPoint candidate{found, norm(found - point), t};
         if (candidate.distance < best.distance && accepts(candidate)) best = candidate;
       }

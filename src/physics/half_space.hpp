@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 
 #include "base/host_device.hpp"
 #include "physics/kernel.hpp"
@@ -90,7 +91,7 @@ class HalfSpace {
   /// int W 2 pi r (r - d) dr in three dimensions, int W 2 r acos(d/r) dr in two.
   double integral(const WendlandC2<double>& kernel, int dimension, double d) const {
     constexpr int steps = 2000;
-    constexpr double pi = 3.14159265358979323846;
+    constexpr double pi = std::numbers::pi;
     const double dr = (radius_ - d) / steps;
     double sum = 0;
     for (int k = 0; k < steps; ++k) {

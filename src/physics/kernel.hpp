@@ -1,5 +1,7 @@
 #pragma once
 
+#include <numbers>
+
 #include "base/host_device.hpp"
 #include "math/scalar.hpp"
 
@@ -12,7 +14,7 @@ struct WendlandC2 {
   T alpha;  ///< a_D: 7/(4 pi h^2) in two dimensions, 21/(16 pi h^3) in three
 
   SABO_HD static constexpr WendlandC2 make(double smoothing_length, int dimension) {
-    constexpr double pi = 3.14159265358979323846;
+    constexpr double pi = std::numbers::pi;
     const double h2 = smoothing_length * smoothing_length;
     const double a = dimension == 2 ? 7 / (4 * pi * h2) : 21 / (16 * pi * h2 * smoothing_length);
     return {T(smoothing_length), T(a)};

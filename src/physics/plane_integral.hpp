@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 namespace sabo {
 
@@ -9,7 +10,7 @@ namespace sabo {
 template <class F>
 double plane_integral(const F& f, double radius, int dimension, double z) {
   constexpr int steps = 400;
-  constexpr double pi = 3.14159265358979323846;
+  constexpr double pi = std::numbers::pi;
   const double most = std::sqrt(radius * radius - z * z);
   const double ds = most / steps;
   double sum = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 
 #include "base/describe.hpp"
 #include "base/host_device.hpp"
@@ -28,7 +29,7 @@ struct MohrCoulomb {
 
   /// Pa per Pa of pressure.
   SABO_HD double slope() const {
-    return (1 - pore_pressure_ratio) * std::tan(friction_angle * 3.14159265358979323846 / 180);
+    return (1 - pore_pressure_ratio) * std::tan(friction_angle * std::numbers::pi / 180);
   }
 
   /// Pressure between the grains at pressure p, Pa; suction counts as none.

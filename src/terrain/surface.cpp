@@ -6,8 +6,9 @@
 #include <cstddef>
 #include <utility>
 
+#include "geometry/nearest_on_triangle.hpp"
+
 #include "base/error.hpp"
-#include "terrain/nearest_on_triangle.hpp"
 
 namespace sabo {
 
@@ -142,7 +143,7 @@ std::optional<SurfacePoint> Surface::nearest(const Vec3d& point, double reach) c
         if (!std::isfinite(north_west.z + third.z + south_east.z)) continue;
         const auto [low, high] = std::minmax({north_west.z, third.z, south_east.z});
         if (low > point.z + reach || high < point.z - reach) continue;
-        const Vec3d candidate = nearest_on_triangle(point, {north_west, third, south_east});
+        const Vec3d candidate = nearest_on_triangle(point, north_west, third, south_east);
         const double distance = norm(point - candidate);
         if (distance > reach || (best && distance >= best->distance)) continue;
         const Vec3d up = cross(south_east - north_west, third - north_west);

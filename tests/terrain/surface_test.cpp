@@ -3,12 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "geometry/nearest_on_triangle.hpp"
 #include "rasters.hpp"
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
 #include "base/error.hpp"
-#include "terrain/nearest_on_triangle.hpp"
 
 namespace sabo {
 namespace {
@@ -99,7 +99,7 @@ TEST(Surface, DistanceIsTheLeastOverAllTriangles) {
         };
         for (const Vec3d& third : {vertex(column + 1, row), vertex(column, row + 1)}) {
           const Vec3d foot =
-              nearest_on_triangle(point, {vertex(column, row), third, vertex(column + 1, row + 1)});
+              nearest_on_triangle(point, vertex(column, row), third, vertex(column + 1, row + 1));
           least = std::min(least, norm(point - foot));
         }
       }
@@ -110,15 +110,6 @@ TEST(Surface, DistanceIsTheLeastOverAllTriangles) {
     const double above = point.z - surface.height(point.x, point.y);
     RC_ASSERT(above == 0 || (distance > 0) == (above > 0));
   });
-}
-
-TEST(NearestOnTriangle, CornersEdgesAndFace) {
-  const std::array<Vec3d, 3> triangle{{{0, 0, 0}, {4, 0, 0}, {0, 4, 0}}};
-  EXPECT_EQ(nearest_on_triangle({1, 1, 5}, triangle), (Vec3d{1, 1, 0}));
-  EXPECT_EQ(nearest_on_triangle({2, -3, 1}, triangle), (Vec3d{2, 0, 0}));
-  EXPECT_EQ(nearest_on_triangle({-2, -3, 1}, triangle), (Vec3d{0, 0, 0}));
-  EXPECT_EQ(nearest_on_triangle({4, 4, 0}, triangle), (Vec3d{2, 2, 0}));
-  EXPECT_EQ(nearest_on_triangle({9, 1, 0}, triangle), (Vec3d{4, 0, 0}));
 }
 
 }  // namespace

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <cmath>
 #include <cstring>
 #include <memory>
 #include <optional>
@@ -13,8 +11,9 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/parsed_number.hpp"
+#include "base/shown_text.hpp"
 #include "io/gis/gdal_errors.hpp"
-#include "io/gis/shown_text.hpp"
 
 namespace sabo {
 namespace {
@@ -32,17 +31,6 @@ std::string_view take_word(std::string_view& text) {
   const std::string_view word = text.substr(0, text.find_first_of(blanks));
   text.remove_prefix(word.size());
   return word;
-}
-
-template <class Number>
-std::optional<Number> number_of(std::string_view word) {
-  Number value{};
-  const char* const end = word.data() + word.size();
-  const auto [stop, error] = std::from_chars(word.data(), end, value);
-  if (error != std::errc{} || stop != end || !std::isfinite(static_cast<double>(value))) {
-    return std::nullopt;
-  }
-  return value;
 }
 
 class Document {
@@ -86,8 +74,8 @@ class Document {
   std::array<Number, 2> pair(const char* path) const {
     std::string_view rest = text(path);
     const std::string_view whole = rest;
-    const auto first = number_of<Number>(take_word(rest));
-    const auto second = number_of<Number>(take_word(rest));
+    const auto first = finite_number<Number>(take_word(rest));
+    const auto second = finite_number<Number>(take_word(rest));
     if (!first || !second || !take_word(rest).empty()) {
       refuse(fmt::format("has \"{}\" as {}, which is not two numbers", shown_text(whole),
                          std::string_view(path).substr(last_part(path))),
@@ -192,8 +180,9 @@ void read_tuples(const Document& document, std::size_t start, std::vector<double
                       "download it again");
     }
     const std::size_t comma = tuple.find(',');
-    const auto elevation =
-        comma == std::string_view::npos ? std::nullopt : number_of<double>(tuple.substr(comma + 1));
+    const auto elevation = comma == std::string_view::npos
+                               ? std::nullopt
+                               : finite_number<double>(tuple.substr(comma + 1));
     if (!elevation) {
       document.refuse(fmt::format("has \"{}\" as value {}, which is not KIND,ELEVATION",
                                   shown_text(tuple), cell - start + 1),

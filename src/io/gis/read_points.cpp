@@ -12,7 +12,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
-#include "io/gis/shown_text.hpp"
+#include "base/shown_text.hpp"
 
 namespace sabo {
 namespace {

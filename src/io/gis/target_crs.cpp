@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/shown_text.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/gdal_errors.hpp"
-#include "io/gis/shown_text.hpp"
 
 namespace sabo {
 namespace {

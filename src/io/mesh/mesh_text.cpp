@@ -56,12 +56,4 @@ std::optional<double> number_of(std::string_view word) {
   return value;
 }
 
-std::string shown_word(std::string_view word) {
-  constexpr std::size_t longest = 30;
-  std::string text(word.substr(0, longest));
-  std::replace_if(
-      text.begin(), text.end(), [](char c) { return c < ' ' || c > '~'; }, '?');
-  return word.size() > longest ? text + "..." : text;
-}
-
 }  // namespace sabo

@@ -32,7 +32,4 @@ class MeshText {
 /// A finite number that is all of a word.
 std::optional<double> number_of(std::string_view word);
 
-/// A word for a message: short, and of printable characters.
-std::string shown_word(std::string_view word);
-
 }  // namespace sabo

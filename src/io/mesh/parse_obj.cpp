@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/shown_text.hpp"
 #include "io/mesh/mesh_text.hpp"
 #include "io/mesh/read_mesh.hpp"
 
@@ -42,7 +43,7 @@ class Obj {
       const std::string_view word = text_.word_of_line();
       if (word.empty()) refuse("a vertex has fewer than three numbers");
       const auto number = number_of(word);
-      if (!number) refuse(fmt::format("\"{}\" is not a number", shown_word(word)));
+      if (!number) refuse(fmt::format("\"{}\" is not a number", shown_text(word)));
       coordinate = *number;
     }
     if (mesh_.vertices.size() == 3 * max_mesh_triangles)
@@ -56,7 +57,7 @@ class Obj {
     std::int64_t number = 0;
     const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), number);
     if (digits.empty() || error != std::errc{} || end != digits.data() + digits.size())
-      refuse(fmt::format("\"{}\" is not the number of a vertex", shown_word(word)));
+      refuse(fmt::format("\"{}\" is not the number of a vertex", shown_text(word)));
     const auto count = static_cast<std::int64_t>(mesh_.vertices.size());
     const std::int64_t index = number < 0 ? count + number : number - 1;
     if (number == 0 || index < 0 || index >= count)

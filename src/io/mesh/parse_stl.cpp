@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "base/error.hpp"
+#include "base/shown_text.hpp"
 #include "io/mesh/mesh_text.hpp"
 #include "io/mesh/read_mesh.hpp"
 
@@ -92,7 +93,7 @@ class AsciiStl {
     throw CaseError(
         key_,
         fmt::format("{}, line {}: {} where \"{}\" is wanted", name_, text_.line(),
-                    word.empty() ? "it ends" : fmt::format("\"{}\"", shown_word(word)), wanted),
+                    word.empty() ? "it ends" : fmt::format("\"{}\"", shown_text(word)), wanted),
         "write the file again, or give a binary STL or an OBJ");
   }
 

@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "io/output/utf8.hpp"
+#include "base/utf8.hpp"
 
 namespace sabo {
 namespace {
@@ -32,7 +32,8 @@ std::string_view escape_of(std::string_view character) {
       break;
   }
   const auto code = static_cast<unsigned char>(character.front());
-  return code < 0x20 || code == 0x7F ? replacement : character;
+  const bool is_forbidden = character == "\xEF\xBF\xBE" || character == "\xEF\xBF\xBF";  // by XML
+  return code < 0x20 || code == 0x7F || is_forbidden ? replacement : character;
 }
 
 }  // namespace

@@ -1,7 +1,6 @@
 #include "io/output/read_csv.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <system_error>
 
 #include "base/error.hpp"
@@ -12,11 +11,6 @@ namespace sabo {
 namespace {
 
 constexpr std::size_t max_bytes = 1'000'000'000;
-
-std::optional<double> number_of(const std::string& field) {
-  const auto value = parsed_number<double>(field);
-  return value && std::isfinite(*value) ? value : std::nullopt;
-}
 
 }  // namespace
 
@@ -61,7 +55,7 @@ std::optional<NumberTable> parse_number_table(std::string_view text) {
     const auto fields = next_csv_line(text);
     if (!fields || fields->size() != table.names.size()) return std::nullopt;
     for (std::size_t k = 0; k < fields->size(); ++k) {
-      const auto value = number_of((*fields)[k]);
+      const auto value = finite_number<double>((*fields)[k]);
       if (!value) return std::nullopt;
       table.columns[k].push_back(*value);
     }

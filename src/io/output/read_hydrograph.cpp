@@ -148,7 +148,9 @@ Hydrograph parse_hydrograph(std::string_view text, const std::string& place,
 }
 
 Hydrograph read_hydrograph(const std::filesystem::path& file, const std::string& place) {
-  const auto text = read_file(file, most_bytes);
+  std::error_code error;
+  const bool is_empty = std::filesystem::file_size(file, error) == 0 && !error;
+  const auto text = is_empty ? std::string() : read_file(file, most_bytes);
   if (!text)
     throw CaseError(place, file.string() + " cannot be read or has more than 100 MB",
                     "give a CSV file");

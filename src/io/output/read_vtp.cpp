@@ -27,15 +27,6 @@ constexpr int most_components = 9;
 constexpr std::string_view data_begin = "<AppendedData encoding=\"raw\">\n_";
 constexpr std::string_view data_end = "\n</AppendedData>\n</VTKFile>\n";
 
-template <class Number>
-std::optional<Number> number_of(std::string_view text) {
-  const auto value = parsed_number<Number>(text);
-  if constexpr (std::is_floating_point_v<Number>) {
-    if (value && !std::isfinite(*value)) return {};
-  }
-  return value;
-}
-
 std::string content_of(const std::filesystem::path& file, std::size_t max_bytes) {
   std::optional<std::string> content = read_file(file, max_bytes);
   if (content) return std::move(*content);
@@ -128,7 +119,7 @@ class FrameReader {
       if (tag.name == "DataArray") {
         arrays_.push_back({section, &tag});
       } else if (tag.name == "Piece") {
-        const auto count = number_of<std::uint64_t>(attribute(tag, "NumberOfPoints"));
+        const auto count = finite_number<std::uint64_t>(attribute(tag, "NumberOfPoints"));
         if (has_piece || !count || *count > most_particles) {
           fail("does not say how many particles it has");
         }
@@ -149,7 +140,7 @@ class FrameReader {
       while (!text.empty()) {
         const std::string_view word = text.substr(0, text.find(' '));
         text.remove_prefix(std::min(text.size(), word.size() + 1));
-        const auto value = number_of<double>(word);
+        const auto value = finite_number<double>(word);
         if (!value) break;
         values.push_back(*value);
       }
@@ -162,8 +153,8 @@ class FrameReader {
     ParticleArray array;
     array.name = attribute(tag, "Name");
     const std::string type = attribute(tag, "type");
-    const auto components = number_of<int>(attribute(tag, "NumberOfComponents"));
-    const auto offset = number_of<std::uint64_t>(attribute(tag, "offset"));
+    const auto components = finite_number<int>(attribute(tag, "NumberOfComponents"));
+    const auto offset = finite_number<std::uint64_t>(attribute(tag, "offset"));
     const bool is_known = (type == "Float32" || type == "UInt32") && components &&
                           *components >= 1 && *components <= most_components && offset;
     if (!is_known || attribute(tag, "format") != "appended") {
@@ -227,7 +218,7 @@ std::vector<PvdEntry> parse_pvd(std::string_view text, const std::string& place)
   std::vector<PvdEntry> entries;
   for (const XmlTag& tag : *tags) {
     if (tag.name != "DataSet") continue;
-    const auto time = number_of<double>(tag.attribute("timestep").value_or(""));
+    const auto time = finite_number<double>(tag.attribute("timestep").value_or(""));
     const std::string name = tag.attribute("file").value_or("");
     if (!time) fail(fmt::format("frame {} has no valid time", entries.size() + 1));
     if (!stays_inside(name)) {

@@ -1,4 +1,4 @@
-#include "io/output/utf8.hpp"
+#include "base/utf8.hpp"
 
 namespace sabo {
 namespace {
@@ -21,8 +21,7 @@ std::size_t utf8_length(std::string_view text, std::size_t i) {
   for (std::size_t k = 2; k < length; ++k) {
     if ((byte_at(text, i + k) & 0xC0) != 0x80) return 0;
   }
-  const bool is_forbidden = first == 0xEF && second == 0xBF && byte_at(text, i + 2) >= 0xBE;
-  return is_forbidden ? 0 : length;
+  return length;
 }
 
 }  // namespace sabo
