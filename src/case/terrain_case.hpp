@@ -87,7 +87,7 @@ struct TerrainCase {
     v(Key{"assume_metres", "", "take a raster without a CRS as metres"}, assume_metres);
     v(Key{"crs", "",
           "projected CRS in metres that the DEM is brought to, e.g. EPSG:6670; default: its own, "
-          "for FG-GML the UTM zone"},
+          "for FG-GML the UTM zone; a raster without a CRS is taken to be in it"},
       crs);
     v(Key{"cell_size", "m", "resample the DEM to square cells of this size"}.at_least(0.01).at_most(
           1e4),

@@ -1,6 +1,7 @@
 #include "verify/validation_page.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "verify/report.hpp"
 #include <fmt/format.h>
@@ -15,7 +16,8 @@ using CaseRecords = std::vector<const VerifyRecord*>;
 /// How to read the page.
 constexpr const char* legend =
     "Each row of a table below is a number that was measured. A gate says how it must lie to "
-    "what is expected; one outside **fails**, and a remark below the table tells the cause. "
+    "what is expected; one outside **fails**, and a remark below the table tells what is known of "
+    "the cause. "
     "\"Beside\" is no gate: a number of others, or of another setting, to compare with. Rows "
     "that ask for at least so large an error are controls: there the material or a term is "
     "wrong on purpose, and the band must notice.\n\n"
@@ -86,6 +88,24 @@ std::string claims_table(const CaseRecords& records) {
   return header + "\n" + rule + "\n" + rows;
 }
 
+/// Each remark once, under the methods that make it.
+std::string remarks(const CaseRecords& records) {
+  std::string text;
+  std::set<std::string> written;
+  const auto makes = [](const VerifyRecord* record, const std::string& remark) {
+    return std::ranges::count(record->verdict.remarks, remark) > 0;
+  };
+  for (const VerifyRecord* record : records)
+    for (const std::string& remark : record->verdict.remarks) {
+      if (!written.insert(remark).second) continue;
+      std::vector<std::string> methods;
+      for (const VerifyRecord* other : records)
+        if (makes(other, remark)) methods.push_back(fmt::format("`{}`", word_of(other->method)));
+      text += fmt::format("\n{}: {}\n", fmt::join(methods, ", "), remark);
+    }
+  return text;
+}
+
 std::string section(const CaseRecords& records) {
   const Verification& verification = verification_of(*records.front());
   std::string text = fmt::format("\n## {}\n\n{}. Expected: {}.\n\n{}", verification.name,
@@ -96,13 +116,10 @@ std::string section(const CaseRecords& records) {
     for (const std::string& picture : record->pictures)
       text += fmt::format("\n![{} by method {}](./{})\n", verification.title,
                           word_of(record->method), picture);
-  for (const VerifyRecord* record : records) {
+  for (const VerifyRecord* record : records)
     if (!record->failure.empty())
       text += fmt::format("\n`{}` failed: {}\n", word_of(record->method), record->failure);
-    for (const std::string& remark : record->verdict.remarks)
-      text += fmt::format("\n`{}`: {}\n", word_of(record->method), remark);
-  }
-  return text;
+  return text + remarks(records);
 }
 
 }  // namespace

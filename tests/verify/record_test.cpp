@@ -131,6 +131,17 @@ TEST(VerifyReport, EscapesTextOnItsPage) {
   EXPECT_THAT(folder.read("index.html"), HasSubstr("An &amp; B"));
 }
 
+TEST(VerifyReport, GivesARemarkOfBothMethodsOnce) {
+  const TemporaryFolder folder;
+  VerifyRecord fast = made_record(), paper = made_record();
+  fast.method = Method::fast;
+  fast.verdict.remarks = {"of both", "of fast"};
+  paper.verdict.remarks = {"of both", "of paper"};
+  write_verify_page({fast, paper}, folder / "");
+  EXPECT_THAT(folder.read("validation.md"),
+              HasSubstr("\n`fast`, `paper`: of both\n\n`fast`: of fast\n\n`paper`: of paper\n"));
+}
+
 TEST(VerifyReport, SaysOfWhichVersionEachResultIs) {
   const TemporaryFolder folder;
   write_verify_page({made_record()}, folder / "");

@@ -233,9 +233,10 @@ Verdict verify_hydrostatic(const VerifySettings& settings) {
         "loses the share ν (π/2H)² of its speed a second to its viscosity, 2.5 % for a fluid of "
         "10 Pa s, which has 0.003 √(gH) left after 10 s; one with a yield stress stands still");
     verdict.remarks.push_back(
-        "speed on DEMs and over the wedge, at H/25: on the flat DEM rows slide both ways, at 0.010 "
-        "and 0.012 √(gH) with vertical speeds of 0.003. Over the wedge and the rough DEM they can "
-        "not keep their order: vertical speeds are as great as the others, and fall with them");
+        "speed on DEMs and over the wedge, as seen at H/25: on the flat DEM whole rows slide too, "
+        "both ways, at 0.010 and 0.012 √(gH) with vertical speeds of 0.003. Over the wedge and the "
+        "rough DEM no row stays whole: there vertical speeds are as great as horizontal ones, and "
+        "both decay together");
     verdict.remarks.push_back(
         "box: the rows settle into another order for some seconds; whatever moves then is slowed "
         "by little but the artificial viscosity");

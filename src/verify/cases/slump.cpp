@@ -173,8 +173,8 @@ Verdict verify_slump(const VerifySettings& settings) {
                     "with B 0.01, so that the Reynolds number is small; with B 0.4 μB 100 Pa s, "
                     "μ0/μB 1e4. Default walls, to which the fluid sticks",
                     rho, side),
-        "The solution ends in an upright front of height πb; the simulated one leans, and its foot "
-        "is beyond it",
+        "The solution ends in an upright front of height πb; the simulated one leans: its foot is "
+        "farther out than L",
         "Where none may sleep the column with B 0.4 sinks at a speed that does not fall with μ0: "
         "particles at its free sides tremble, and the shear rate of that keeps the viscosity "
         "below μ0. Asleep it is at rest."};

@@ -184,7 +184,9 @@ Verdict verify_yohutagawa(const VerifySettings& settings) {
   verdict.remarks.push_back(fmt::format(
       "spacing {:g} m; the published run has 0.75 m, its terrain is not public. What makes the "
       "difference, and more runs: docs/yohutagawa.md. Discharges are the greatest of a series "
-      "here, greatest means over 2 s there",
+      "here, greatest means over 2 s there. Trapped is all that has not passed the axis of the "
+      "dam, that which never arrives there as well; what is neither trapped nor beyond has left "
+      "the map",
       spacing));
   return verdict;
 }
