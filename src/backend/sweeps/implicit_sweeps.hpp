@@ -156,12 +156,10 @@ struct AdvanceState {
     const double held =
         flow.has_neighbours[i] ? held_to_places(flow, moved, i, borne, catch_up) : state.rho0;
     fluid.density[i] = held;
-    const double mean = 0.5 * (before + moved);
     const double mass = fluid.mass[i];
     const double artificial = flow.model.artificial_viscosity > 0 ? flow.artificial_heat[i] : 0;
     sum.artificial += mass * artificial;
-    const double pressure = borne_pressure(state, mean, borne);
-    const double per_density = pressure / (mean * mean);
+    const double per_density = borne_mean(state, before, moved, borne);
     sum.diffusion -= mass * per_density * dt * flow.diffusion_rate[i];
     // Between two particles of the fluid the work of pressure is found again as compression, but
     // for what changes over a step: in the sum over all, what is missing went to the walls.

@@ -24,4 +24,14 @@ SABO_HD inline double borne_energy(const Tait& state, double density, double bor
   return density < state.rho0 ? borne * energy : energy;
 }
 
+/// Mean of p / rho^2 over a change of density: what it stores in a mass is this times the change.
+SABO_HD inline double borne_mean(const Tait& state, double before, double after, double borne) {
+  const bool has_kink = borne < 1 && (before < state.rho0) != (after < state.rho0);
+  if (has_kink)
+    return (borne_energy(state, after, borne) - borne_energy(state, before, borne)) /
+           (after - before);
+  const double middle = 0.5 * (before + after);
+  return borne_pressure(state, middle, borne) / (middle * middle);
+}
+
 }  // namespace sabo
