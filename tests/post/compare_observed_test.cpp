@@ -95,6 +95,20 @@ TEST_F(CompareObserved, OnlyTheSurveyedAreaIsCompared) {
               HasSubstr("\nhit,120,m2\nmiss,96,m2\nfalse alarm,0,m2\n"));
 }
 
+TEST_F(CompareObserved, DepthErrorsAreThoseOfTheSurveyedArea) {
+  MadeRun run;
+  run.depth = slab(4, 20, 4, 16);
+  run.keys =
+      "[observed]\ndepth_raster = \"survey.tif\"\n"
+      "within = [[10, 0], [40, 0], [40, 20], [10, 20]]\n";
+  run.write(folder_ / "part");
+  std::filesystem::copy(folder_ / "survey.tif", folder_ / "part/survey.tif");
+  compare_observed(folder_ / "part", {}, folder_ / "out");
+  const Raster error = map_of(folder_ / "out", "depth_error");
+  EXPECT_EQ(error.at(12, 5), -1.5) << "x = 25: missed";
+  EXPECT_TRUE(std::isnan(error.at(3, 5))) << "x = 7: 1 m that nobody looked for";
+}
+
 TEST_F(CompareObserved, RefusesWhatCannotBeCompared) {
   MadeRun run;
   run.write(folder_ / "bare");

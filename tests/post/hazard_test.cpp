@@ -7,6 +7,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "base/error.hpp"
 #include "io/gis/read_vectors.hpp"
 
 namespace sabo {
@@ -73,6 +74,12 @@ TEST_F(Hazard, RulesMayBeAFile) {
   hazard_maps({{folder_ / "often"}, folder_ / "my.toml", {}, folder_ / "out"});
   EXPECT_THAT(file_text(folder_ / "out/tables/classes.csv"), HasSubstr("any,1,192\n"));
   EXPECT_THAT(file_text(folder_ / "out/index.html"), HasSubstr("my &lt;rules&gt;"));
+}
+
+TEST_F(Hazard, RefusesARunWhoseCaseCannotBeRead) {
+  std::ofstream(folder_ / "often/case.toml") << "numerics = ";
+  EXPECT_THROW(hazard_maps({{folder_ / "often"}, "swiss", {}, folder_ / "out"}), CaseError);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out"));
 }
 
 TEST_F(Hazard, RefusesWhatDoesNotFit) {

@@ -11,9 +11,11 @@
 
 #include "analysis/section.hpp"
 #include "analysis/tracks.hpp"
+#include "base/error.hpp"
 #include "io/output/plan_file.hpp"
 #include "math/angle.hpp"
 #include "run/channel.hpp"
+#include "run/cost_forecast.hpp"
 #include "run/finished_run.hpp"
 #include "run/flow.hpp"
 #include "run/memory_estimate.hpp"
@@ -201,6 +203,13 @@ TEST(InflowScene, IsToldOfBeforeTheRun) {
   EXPECT_THAT(text, HasSubstr("particles deep at its peak"));
   EXPECT_THAT(text, HasSubstr("the run ends before the inflow \"apex\" does"));
   EXPECT_THAT(text, Not(HasSubstr("Release")));
+}
+
+TEST(Inflow, HasNoForecastWhereNothingComes) {
+  const Case c = case_of(inflow +
+                         "speed = 1\n[[inflow.surge]]\nstart = 100\npeak_time = 101\nend = 110\n"
+                         "peak_discharge = 2\n");
+  EXPECT_THROW(measured_forecast(c, scene_of(c)), RunError);
 }
 
 TEST(InflowRun, HasABalanceToTheLastParticle) {

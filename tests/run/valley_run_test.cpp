@@ -84,6 +84,7 @@ void expect_states(const FinishedRun& run) {
       EXPECT_EQ(svg.find(odd), std::string::npos) << picture;
   }
   EXPECT_THROW(draw_states(run.folder, {7}), CaseError) << "beyond the run";
+  EXPECT_FALSE(run.text_of("pictures/state_depth_flow_00001_map.svg").empty()) << "is gone";
   EXPECT_THROW(draw_states(run.folder / "maps", {}), CaseError) << "no run";
 }
 
