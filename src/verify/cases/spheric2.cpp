@@ -236,7 +236,7 @@ constexpr std::array causes{
     "all 0.29 m. It starts late: behind the box (H3) water was measured from 0.95 s on, "
     "simulated from 1.1 s. The simulated jets go up to 3 m, and at 1 s 2 % of the water is "
     "above 0.6 m, which is 0.02 m of the depth behind the box; air, which would break such "
-    "jets up, is not simulated. Mean errors are 0.021 to 0.026 m with 0.045, 0.036, 0.0275 "
+    "jets up, is not simulated. Mean errors are 0.020 to 0.026 m with 0.045, 0.036, 0.0275 "
     "and 0.0183 m; the drag of a smooth floor (voellmy, 3300 m/s²) or α 0.1 change them by "
     "0.001 m, and the gate delays all of it. 0.01 m of it is the gauge: at 2 s the columns of "
     "the tank hold 3 % more than the water, as voids in torn water count"};
