@@ -60,7 +60,7 @@ void half_gradient_range(const HalfGradientTask& task) {
   }
 }
 
-/// Without the transposed gradient: what mu grad v alone carries.
+/// `whole`: with the transposed gradients; else what mu grad v alone carries.
 template <bool periodic, bool whole>
 void viscous_product_range(ViscousProductTask& task) {
   const Constants s(*task.scale);
