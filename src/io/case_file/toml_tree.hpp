@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/faults.hpp"
+#include "io/case_file/text_check.hpp"
 
 namespace sabo {
 
@@ -42,6 +43,6 @@ std::vector<const TomlTable*> tables_at(const TomlTable& table, std::string_view
 /// Parses a TOML text. Adds a fault (with the place "file_name:line") and returns nothing when the
 /// text is longer than `most_bytes`, is not valid UTF-8, has control characters or is not TOML.
 std::optional<TomlTable> parse_toml(std::string_view text, const std::string& file_name,
-                                    Faults& faults, std::size_t most_bytes = 1'000'000);
+                                    Faults& faults, std::size_t most_bytes = largest_text);
 
 }  // namespace sabo
