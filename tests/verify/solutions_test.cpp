@@ -6,6 +6,7 @@
 #include "verify/sliding_dam_break.hpp"
 #include "verify/slump_at_rest.hpp"
 #include "verify/startup_solution.hpp"
+#include "verify/still_rows.hpp"
 #include <gtest/gtest.h>
 
 #include "physics/yield.hpp"
@@ -52,6 +53,33 @@ TEST(ShearFlow, HasThePlugSpeedsOfTheSlit) {
   EXPECT_NEAR(speed(Cross{100, 1e3, 1}), 0.704844, 2e-6);
   EXPECT_NEAR(speed(Cross{100, 1e5, 1}), 0.703149, 2e-6);
   EXPECT_NEAR(speed(HerschelBulkley{100, 0.5, 1e6, 1e9}), 1.757813, 2e-5);
+}
+
+/// A Newtonian fluid between plates, u = a z (H - z) / (2 nu): still rows carry the viscosity
+/// within a per cent.
+TEST(StillRows, KeepTheParabola) {
+  constexpr int cells = 20;
+  const StillRows rows{Newtonian{100}, 0, 1000, 1, 1, 1.5};
+  const std::vector<double> speeds = rows.after(8, std::vector<double>(cells, 0.0));
+  for (int k = 0; k < cells; ++k) {
+    const double z = (k + 0.5) / cells;
+    EXPECT_NEAR(speeds[k], z * (1 - z) / (2 * 0.1), 0.01 * 1.25) << k;
+    EXPECT_NEAR(speeds[k], speeds[cells - 1 - k], 1e-9) << k;
+  }
+}
+
+/// Beside a yielded layer the outermost rows of a plug are too soft: the plug shears more than
+/// tau / cap, by which from 0.005 to 0.095 m from the middle 10 (0.095^2 - 0.005^2) / 2 mm/s are
+/// added up, and less so with more rows.
+TEST(StillRows, SmoothTheEdgeOfAPlug) {
+  const auto rise = [](int cells) {
+    const StillRows rows{Bingham{{100, 1000}}, 125, 1000, 1, 1, 1.5};
+    const std::vector<double> u = rows.after(8, std::vector<double>(cells, 0.0));
+    return u[cells / 2] - u[cells * 2 / 5];
+  };
+  const double coarse = rise(50), fine = rise(100);
+  EXPECT_GT(coarse, 2 * fine);
+  EXPECT_GT(fine, 4.5e-5);
 }
 
 /// theta 30, phi 20 degrees, mu_0/mu_B 1000, H 0.1 m: surface speeds computed by another program.

@@ -257,7 +257,9 @@ Verdict verify_granular_collapse(const VerifySettings& settings) {
         "constant friction has neither the growth of friction with the rate, which takes a tenth "
         "off in the μ(I) of glass, nor the side walls of the channel, which no run has",
         "The lowest column of 31° ends 1.5 % before the law of Lube et al., which is the lower end "
-        "of the band. That is the spacing: with L0/dp 80 its run-out is 0.612"};
+        "of the band. With L0/dp 80 its run-out is 0.612, and 0.610 where density is not held to "
+        "the places of the particles (docs/method.md, F9), which takes pressure from outer rows "
+        "that a front draws apart, the more of it the coarser they are"};
   settings.on_progress(1);
   return verdict;
 }
