@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "base/host_loops.hpp"
+#include "math/turn.hpp"
 
 namespace sabo {
 namespace {
@@ -15,11 +16,6 @@ struct CrossingList {
     crossings.insert(crossings.end(), next.crossings.begin(), next.crossings.end());
   }
 };
-
-/// Twice the signed area of the triangle a b c: positive when c is to the left of a -> b.
-double turn(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 /// Sign of a + b e + c e^2 for vanishing e > 0; the value zero counts as negative.
 bool is_positive(double a, double b, double c) {

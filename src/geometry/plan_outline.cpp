@@ -3,14 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "math/turn.hpp"
+
 namespace sabo {
-namespace {
-
-double turn(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
-
-}  // namespace
 
 // Andrew's monotone chain (1979).
 std::vector<Vec3d> plan_outline(const TriangleMesh& mesh) {

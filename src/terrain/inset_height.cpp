@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "math/turn.hpp"
+
 // A ball of radius `depth` that rises under (x, y) stops where it first touches the surface: its
 // centre is then at the least, over all places q of the surface within reach, of
 //   z(q) - sqrt(depth^2 - r(q)^2),   r: horizontal distance of q from (x, y).
@@ -15,11 +17,6 @@ namespace sabo {
 namespace {
 
 constexpr double never = std::numeric_limits<double>::infinity();
-
-/// Twice the area of a triangle in plan, positive counterclockwise.
-double turn(const Vec3d& a, const Vec3d& b, const Vec3d& c) {
-  return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
-}
 
 /// How far the origin is outside [low, high].
 double outside(double low, double high) { return std::max({low, -high, 0.0}); }

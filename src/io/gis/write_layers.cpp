@@ -19,23 +19,22 @@ namespace {
 
 using GeometryPtr = std::unique_ptr<OGRGeometry>;
 
-void add_points(OGRSimpleCurve& curve, const std::vector<Vec3d>& vertices) {
-  for (const Vec3d& v : vertices) curve.addPoint(v.x, v.y);
+GeometryPtr geometry_of(const Vec3d& point, bool /*has_heights*/) {
+  return std::make_unique<OGRPoint>(point.x, point.y);
 }
 
-GeometryPtr geometry_of(const Vec3d& point) { return std::make_unique<OGRPoint>(point.x, point.y); }
-
-GeometryPtr geometry_of(const Polyline& line) {
+GeometryPtr geometry_of(const Polyline& line, bool has_heights) {
   auto curve = std::make_unique<OGRLineString>();
-  add_points(*curve, line.vertices);
+  for (const Vec3d& v : line.vertices)
+    has_heights ? curve->addPoint(v.x, v.y, v.z) : curve->addPoint(v.x, v.y);
   return curve;
 }
 
-GeometryPtr geometry_of(const Polygon& from) {
+GeometryPtr geometry_of(const Polygon& from, bool /*has_heights*/) {
   auto polygon = std::make_unique<OGRPolygon>();
   for (const std::vector<Vec3d>& vertices : from.rings) {
     auto ring = std::make_unique<OGRLinearRing>();
-    add_points(*ring, vertices);
+    for (const Vec3d& v : vertices) ring->addPoint(v.x, v.y);
     ring->closeRings();
     polygon->addRingDirectly(ring.release());
   }
@@ -43,7 +42,8 @@ GeometryPtr geometry_of(const Polygon& from) {
 }
 
 OGRwkbGeometryType type_of(const VectorLayer& layer) {
-  constexpr std::array types{wkbPoint, wkbLineString, wkbPolygon};
+  const std::array types{wkbPoint, layer.has_heights ? wkbLineString25D : wkbLineString,
+                         wkbPolygon};
   return types[layer.rows.front().geometry.index()];
 }
 
@@ -66,8 +66,8 @@ bool write_layer(GDALDataset& data, const VectorLayer& rows, OGRSpatialReference
     OGRFeature feature(layer->GetLayerDefn());
     for (std::size_t k = 0; k < row.values.size() && k < rows.fields.size(); ++k)
       set(feature, static_cast<int>(k), row.values[k]);
-    const GeometryPtr geometry =
-        std::visit([](const auto& shape) { return geometry_of(shape); }, row.geometry);
+    const GeometryPtr geometry = std::visit(
+        [&](const auto& shape) { return geometry_of(shape, rows.has_heights); }, row.geometry);
     if (feature.SetGeometry(geometry.get()) != OGRERR_NONE) return false;
     if (layer->CreateFeature(&feature) != OGRERR_NONE) return false;
   }

@@ -22,11 +22,12 @@ struct LayerRow {
   std::vector<std::variant<std::string, double>> values = {};
 };
 
-/// Rows whose geometries are all of one kind, in plan.
+/// Rows whose geometries are all of one kind, in plan or, if they are lines, with their heights.
 struct VectorLayer {
   std::string name;
   std::vector<LayerField> fields = {};
   std::vector<LayerRow> rows = {};
+  bool has_heights = false;
 };
 
 /// Writes a GeoPackage with the layers that have rows. `crs_wkt` may be "". An existing file is

@@ -19,7 +19,8 @@ struct NamedPolygon {
 };
 
 /// Writes a GeoPackage of one layer with the attribute `name`, z where the lines have it. `crs_wkt`
-/// may be "". An existing file is replaced. Throws RunError with the reason.
+/// may be "". An existing file is replaced. Throws RunError with the reason, also when there is
+/// nothing to write.
 void write_lines(const std::filesystem::path& file, const std::vector<NamedLine>& lines,
                  const std::string& crs_wkt);
 void write_polygons(const std::filesystem::path& file, const std::vector<NamedPolygon>& polygons,
