@@ -72,7 +72,9 @@ struct PathCase {
   template <class V>
   void describe(V&& v) {
     v(Key{"line", "",
-          "line along the valley for the front; without it, steepest descent from the release"},
+          "line along the valley for the front; without it, steepest descent from the release, or "
+          "else from the "
+          "largest inflow, and on level ground the axis along which there is most room"},
       line);
   }
 };

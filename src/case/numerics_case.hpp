@@ -91,7 +91,8 @@ struct NumericsCase {
     v(Key{"h_over_dp", "", "smoothing length over spacing"}.at_least(1).at_most(3), h_over_dp);
     v(Key{"sound_speed_factor", "", "beta in c0 = beta sqrt(g h_max)"}.at_least(1).at_most(1000),
       sound_speed_factor);
-    v(Key{"h_max", "m", "depth that sets the sound speed; default: the greatest release depth"}
+    v(Key{"h_max", "m",
+          "depth that sets the sound speed; default: the greatest of the release and the inflows"}
           .above(0)
           .at_most(1e5),
       h_max);
@@ -151,7 +152,8 @@ struct NumericsCase {
           "reference_speed"},
       adaptive_sound_speed);
     v(Key{"wall", "",
-          "fast: shear between flow and ground or dams: no_slip (that of the material), coulomb, "
+          "fast: shear between flow and ground, structures or bodies: no_slip (that of the "
+          "material), coulomb, "
           "voellmy (coulomb and turbulence) or slip"},
       wall);
     v(Key{"wall_friction_angle", "deg", "of coulomb and voellmy, on the effective pressure"}

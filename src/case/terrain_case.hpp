@@ -61,7 +61,10 @@ struct PlaneCase {
           .at_least(-360)
           .at_most(360),
       direction);
-    v(Key{"cell_size", "m", "of the maps; default: two spacings"}.at_least(1e-4).at_most(1e4),
+    v(Key{"cell_size", "m",
+          "of the maps; default: two spacings, or more where these were over 4 million cells"}
+          .at_least(1e-4)
+          .at_most(1e4),
       cell_size);
   }
 };

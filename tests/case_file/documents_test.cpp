@@ -30,7 +30,8 @@ Discharges that come in through lines, `[[inflow]]`, stand beside a release or i
 
 A structure is of one `kind`, whose keys say so. A slit with a sill is one more notch, one with a
 height a culvert. Openings should be four particles wide: `sabo check` says which spacing does it for
-the ones that are narrower, and below two particles an opening is refused, for nothing would pass.
+the ones that are narrower. Below two particles a slit or the gap of a grid is refused, for nothing would
+pass; a notch is not, since a dam is overtopped beside it.
 Outlines of buildings may touch, and holes in them are courtyards; they must not overlap by more than
 1 % of the smaller one. In the outputs structures and bodies go by their names, all different.
 

@@ -47,7 +47,7 @@ std::string with_line(const ListedTable& table, const std::string& key, const st
          "\n";
 }
 
-/// Calls visit(table, key) for all of them, those of all rheologies among them.
+/// Calls visit(table, key) for all of them; of the rheologies those of the default.
 template <class Visit>
 void for_each_key(const Visit& visit) {
   for (const ListedTable& table : list_tables({}))
