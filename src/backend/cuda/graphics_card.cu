@@ -86,9 +86,11 @@ void free_on_card(void* memory) noexcept {
 }
 
 void* allocate_page_locked(std::size_t bytes) {
-  void* memory = std::malloc(bytes);
+  constexpr std::size_t page = 4096;  // whole ones: what shares a page cannot be locked apart
+  const std::size_t size = (bytes / page + 1) * page;
+  void* memory = std::aligned_alloc(page, size);
   if (!memory) throw std::bad_alloc();
-  if (cudaHostRegister(memory, bytes, cudaHostRegisterDefault) != cudaSuccess) cudaGetLastError();
+  if (cudaHostRegister(memory, size, cudaHostRegisterDefault) != cudaSuccess) cudaGetLastError();
   return memory;
 }
 

@@ -208,7 +208,8 @@ void DeviceBackend<Executor>::forget_results() {
 
 template <class Executor>
 void DeviceBackend<Executor>::need_explicit_arrays() {
-  if (pressure_power_.size() == fluid_.size() && stress_.size() == all()) return;
+  const bool have_all = strain_.size() == all() && stress_.size() == all();
+  if (have_all && pressure_power_.size() == fluid_.size()) return;
   on_.zero(strain_, all());
   on_.zero(stress_, all());
   // The last is one that is looked at: memory may run out before.
