@@ -37,8 +37,6 @@ class Curtain {
   std::vector<Crossing> crossings(std::span<const Vec3d> from, std::span<const Vec3d> to,
                                   int threads) const;
 
-  const Polyline& line() const { return line_; }
-
  private:
   int count(const Vec3d& from, const Vec3d& to) const;
 

@@ -27,12 +27,8 @@ struct FootprintScore {
   /// Simulated over observed area (frequency bias).
   double bias() const { return simulated() / observed(); }
 
-  // Of the observed area (Scheidl & Rickenmann 2010, Earth Surf. Process. Landforms 35, 157-173):
-  // positive, negative and missing accuracy.
-  double alpha() const { return hit / observed(); }
-  double beta() const { return false_alarm / observed(); }
-  double gamma() const { return miss / observed(); }
-  /// alpha - beta - gamma: 1 for a perfect match.
+  /// Positive less negative less missing accuracy (Scheidl & Rickenmann 2010, Earth Surf. Process.
+  /// Landforms 35, 157-173): 1 for a perfect match.
   double omega() const { return (hit - false_alarm - miss) / observed(); }
 };
 

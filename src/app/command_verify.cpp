@@ -16,6 +16,7 @@
 #include "app/terminal.hpp"
 #include "base/error.hpp"
 #include "base/host_loops.hpp"
+#include "io/output/file.hpp"
 
 namespace sabo {
 namespace {
@@ -170,7 +171,7 @@ int verify(const VerifyOptions& options) {
     return exit_done;
   }
   const std::atomic<bool>& stop = catch_stop_signals();
-  make_record_folder(options.folder);
+  make_folder(options.folder);
   const Effort effort = options.quick      ? Effort::quick
                         : options.extended ? Effort::extended
                                            : Effort::full;

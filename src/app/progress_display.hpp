@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstdio>
-
 #include "app/progress_line.hpp"
 
 namespace sabo {

@@ -1,9 +1,7 @@
 #include "post/export_run.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <system_error>
 
 #include "post/finished_run.hpp"
 #include "post/map_style.hpp"
@@ -17,6 +15,7 @@
 #include "io/gis/write_ascii_grid.hpp"
 #include "io/gis/write_layers.hpp"
 #include "io/gis/write_raster.hpp"
+#include "io/output/file.hpp"
 #include "io/output/qgis_style.hpp"
 
 namespace sabo {
@@ -24,8 +23,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Cells of a map above a depth as polygons of a layer.
-void add_outlines(const RunMap& map, const std::vector<double>& depths, VectorLayer& layer) {
+/// Cells of a map above each depth as polygons.
+VectorLayer outlines(const std::string& name, const RunMap& map,
+                     const std::vector<double>& depths) {
+  VectorLayer layer{name, {{"deeper_than_m", true}, {"area_m2", true}}};
   for (const double depth : depths) {
     Raster cells(map.raster.grid, Raster::no_data);
     for (std::size_t cell = 0; cell < cells.values.size(); ++cell)
@@ -35,28 +36,22 @@ void add_outlines(const RunMap& map, const std::vector<double>& depths, VectorLa
       layer.rows.push_back({std::move(one.polygon), {depth, size}});
     }
   }
-}
-
-VectorLayer outlines(const std::string& name, const RunMap& map,
-                     const std::vector<double>& depths) {
-  VectorLayer layer{name, {{"deeper_than_m", true}, {"area_m2", true}}, {}};
-  add_outlines(map, depths, layer);
   return layer;
 }
 
 /// What stands on the map, a layer for each kind of line.
 std::vector<VectorLayer> plan_layers(const RunPlan& plan) {
   const std::vector<LayerField> fields{{"name", false}};
-  VectorLayer structures{"structures", fields}, sections{"sections", fields}, path{"path", fields},
-      zones{"zones", fields};
-  for (const MapLine& line : plan.lines)
-    if (line.kind == MapLine::Kind::dam) structures.rows.push_back({line.line, {line.label}});
+  VectorLayer structures{"structures", fields}, inflows{"inflows", fields},
+      sections{"sections", fields}, path{"path", fields}, zones{"zones", fields};
+  for (const MapLine& line : plan.structures) structures.rows.push_back({line.line, {line.label}});
+  for (const MapLine& line : plan.inflows) inflows.rows.push_back({line.line, {line.label}});
   for (const NamedSection& section : plan.sections)
     sections.rows.push_back({section.line, {section.name}});
   for (const NamedZone& zone : plan.zones)
     for (const Polygon& polygon : zone.polygons) zones.rows.push_back({polygon, {zone.name}});
   if (plan.path.vertices.size() > 1) path.rows.push_back({plan.path, {std::string("path")}});
-  return {structures, sections, path, zones};
+  return {structures, inflows, sections, path, zones};
 }
 
 std::string style_text(const RunMap& map, double wet_depth) {
@@ -107,8 +102,7 @@ class RunExport {
 
   void write_map(const RunMap& map) {
     if (has("ascii")) {
-      std::error_code error;
-      fs::create_directories(folder_.root() / "ascii", error);
+      make_folder(folder_.root() / "ascii");
       write_ascii_grid(folder_.root() / "ascii" / (map.name + ".asc"), map.raster, map.crs_wkt);
     }
     if (!has("qgis")) return;
@@ -120,7 +114,8 @@ class RunExport {
   void write_vectors(const std::vector<double>& depths) {
     const RunPlan plan = plan_of(run_);
     if (!plan.problem.empty())
-      lines_.push_back("note: structures, sections, path and zones are left out: " + plan.problem);
+      lines_.push_back("note: structures, inflows, sections, path and zones are left out: " +
+                       plan.problem);
     std::vector<VectorLayer> layers = plan_layers(plan);
     const RunMap peak = run_.map("pfd");
     layers.push_back(outlines("affected_area", peak, depths));

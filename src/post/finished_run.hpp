@@ -20,9 +20,6 @@ struct RunMap {
   std::string crs_wkt;
   std::string description;
   std::string unit;
-
-  /// "greatest vertical depth [m]"
-  std::string label() const { return description + " [" + unit + "]"; }
 };
 
 /// The folder of a run that has been written, for reading.
@@ -34,7 +31,6 @@ class FinishedRun {
   const std::filesystem::path& folder() const { return folder_; }
   /// Of the folder, for people.
   const std::string& name() const { return name_; }
-  const TomlTable& manifest() const { return manifest_; }
   /// A table of the manifest; empty when it has none of that name.
   const TomlTable& table(std::string_view name) const { return table_at(manifest_, name); }
   /// The tables of a list in the manifest.

@@ -1,7 +1,6 @@
 #include "post/hazard.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <system_error>
 
@@ -11,7 +10,6 @@
 #include "post/run_plan.hpp"
 #include "post/table_text.hpp"
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "analysis/hazard_map.hpp"
 #include "base/counted.hpp"
@@ -19,6 +17,7 @@
 #include "base/version.hpp"
 #include "io/case_file/key_text.hpp"
 #include "io/case_file/read_hazard_rules.hpp"
+#include "io/case_file/text_check.hpp"
 #include "io/gis/class_map.hpp"
 #include "io/gis/write_layers.hpp"
 #include "io/output/map_picture.hpp"
@@ -30,8 +29,6 @@ namespace sabo {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t max_rules = 1'000'000;  // bytes
 
 /// The map that holds a quantity.
 const char* map_of(HazardQuantity quantity) {
@@ -244,7 +241,7 @@ void refuse_twice(const std::vector<fs::path>& runs) {
 std::string hazard_rules_of(const std::string& name) {
   if (const std::string_view known = hazard_rules_text(name); !known.empty())
     return std::string(known);
-  const auto text = read_file(name, max_rules);
+  const auto text = read_file(name, largest_text);
   if (text) {
     Faults faults;
     read_hazard_rules(*text, name, faults);

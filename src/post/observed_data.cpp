@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 #include "post/map_difference.hpp"
 #include <fmt/format.h>

@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/version.hpp"
+#include "io/case_file/text_check.hpp"
 #include "io/case_file/toml_string.hpp"
 #include "io/case_file/toml_tree.hpp"
 #include "io/output/csv.hpp"
@@ -22,10 +23,12 @@ namespace fs = std::filesystem;
 
 constexpr const char* marker = "result.toml";
 constexpr std::array<const char*, 3> parts{"maps", "pictures", "tables"};
+/// What else a former result may have left.
+constexpr std::array<const char*, 2> exports{"ascii", "vectors.gpkg"};
 
 /// What the marker of a folder says it is; "" without one.
 std::string kind_of(const fs::path& folder) {
-  const auto text = read_file(folder / marker, 1'000'000);
+  const auto text = read_file(folder / marker, largest_text);
   Faults faults;
   const auto root = text ? parse_toml(*text, marker, faults) : std::nullopt;
   return root ? text_at(table_at(*root, "result"), "kind").value_or("") : "";
@@ -48,12 +51,11 @@ ResultFolder::ResultFolder(fs::path folder, const std::string& kind,
     : root_(std::move(folder)) {
   std::error_code error;
   if (holds_own_files(
-          root_, [&] { return kind_of(root_) == kind; }, "this command"))
+          root_, [&] { return kind_of(root_) == kind; }, "this command")) {
     for (const char* part : parts) fs::remove_all(root_ / part, error);
-  for (const char* part : parts) {
-    fs::create_directories(root_ / part, error);
-    if (error) throw RunError(fmt::format("cannot make {}: {}", root_.string(), error.message()));
+    for (const char* part : exports) fs::remove_all(root_ / part, error);
   }
+  for (const char* part : parts) make_folder(root_ / part);
   write(marker, marker_text(kind, runs));
 }
 

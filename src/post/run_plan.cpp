@@ -12,6 +12,21 @@ void move_back(const Frame& frame, std::vector<Vec3d>& vertices) {
   for (Vec3d& vertex : vertices) vertex = back(frame, vertex);
 }
 
+void move_back(const Frame& frame, std::vector<MapLine>& lines) {
+  for (MapLine& line : lines) move_back(frame, line.line.vertices);
+}
+
+std::vector<MapLine> structures_of(const Scene& scene) {
+  std::vector<MapLine> lines;
+  for (const CheckDam& dam : scene.dams) lines.push_back({MapLine::Kind::dam, dam.name, dam.axis});
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
+    add_outlines(MapLine::Kind::dam, "", {outline_of_body(scene, k)}, lines);
+    for (MapLine& line : lines)
+      if (line.label.empty()) line.label = scene.bodies[k].name();
+  }
+  return lines;
+}
+
 }  // namespace
 
 RunPlan plan_of(const FinishedRun& run) {
@@ -25,10 +40,14 @@ RunPlan plan_of(const FinishedRun& run) {
     return plan;
   }
   plan.lines = overlay(scene);
+  plan.structures = structures_of(scene);
+  for (const InflowPlan& inflow : scene.inflows)
+    plan.inflows.push_back({MapLine::Kind::inflow, inflow.name, inflow.line});
   plan.zones = std::move(scene.zones);
   plan.sections = std::move(scene.sections);
   plan.path = std::move(scene.path);
-  for (MapLine& line : plan.lines) move_back(scene.frame, line.line.vertices);
+  for (std::vector<MapLine>* lines : {&plan.lines, &plan.structures, &plan.inflows})
+    move_back(scene.frame, *lines);
   for (NamedZone& zone : plan.zones)
     for (Polygon& polygon : zone.polygons)
       for (std::vector<Vec3d>& ring : polygon.rings) move_back(scene.frame, ring);

@@ -12,7 +12,9 @@ namespace sabo {
 
 /// What stands on the map of a run, in the coordinates of its CRS.
 struct RunPlan {
-  std::vector<MapLine> lines;  ///< path, zones, structures, sections, as in the pictures of a run
+  std::vector<MapLine> lines;       ///< of all that has a place, as in the pictures of a run
+  std::vector<MapLine> structures;  ///< whole dams and outlines of bodies, all with their names
+  std::vector<MapLine> inflows;
   std::vector<NamedZone> zones;
   std::vector<NamedSection> sections;
   Polyline path;        ///< along which the front was measured; empty if it is not known

@@ -1,7 +1,6 @@
 #include "post/series_charts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <string_view>
 
 #include <fmt/format.h>

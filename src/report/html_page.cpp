@@ -1,6 +1,5 @@
 #include "report/html_page.hpp"
 
-#include <cstdlib>
 #include <span>
 #include <string_view>
 

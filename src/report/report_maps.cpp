@@ -4,8 +4,6 @@
 #include <cstddef>
 #include <optional>
 
-#include <fmt/format.h>
-
 #include "analysis/columns.hpp"
 
 namespace sabo {

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "io/case_file/read_case.hpp"
+#include "io/case_file/text_check.hpp"
 #include "io/gis/crs.hpp"
 #include "io/gis/raster_file.hpp"
 #include "io/output/plan_file.hpp"
@@ -17,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::size_t max_text = 1'000'000;  // bytes of a TOML file
-
 }  // namespace
 
 RunRecord::RunRecord(fs::path folder)
@@ -27,9 +26,10 @@ RunRecord::RunRecord(fs::path folder)
 }
 
 void RunRecord::read_case_file() {
-  const auto content = read_file(folder_ / "case.toml", max_text);
+  const auto content = read_file(folder_ / "case.toml", largest_written_case);
   Faults faults;
-  const auto text = content ? parse_toml(*content, "case.toml", faults) : std::nullopt;
+  const auto text =
+      content ? parse_toml(*content, "case.toml", faults, largest_written_case) : std::nullopt;
   if (!text) {
     missing_.insert("case.toml");
     return;

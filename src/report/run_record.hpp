@@ -55,7 +55,7 @@ class RunRecord {
   const NumberTable* series(const std::string& name);
   /// "dep" of maps/; nullptr if it is not there.
   const MapRecord* map(const std::string& name);
-  /// Lines of the plan: path, structures, sections, zones.
+  /// Lines of the plan: path, structures, bodies, inflows, sections, zones.
   const std::vector<MapLine>& plan();
   /// Names of all maps that are there, sorted.
   std::vector<std::string> map_names() const;

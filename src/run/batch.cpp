@@ -6,7 +6,6 @@
 
 #include <fmt/format.h>
 
-#include "base/error.hpp"
 #include "io/output/file.hpp"
 #include "run/own_folder.hpp"
 
@@ -73,8 +72,7 @@ void prepare_batch(const fs::path& folder, const std::string& kind) {
   const fs::path mark = folder / (kind + ".toml");
   holds_own_files(
       folder, [&] { return fs::exists(mark, error); }, "a " + kind);
-  fs::create_directories(folder, error);
-  if (error) throw RunError("cannot make " + folder.string() + ": " + error.message());
+  make_folder(folder);
   if (!fs::exists(mark, error)) write_file_atomically(mark, fmt::format("[{}]\n", kind));
 }
 

@@ -1,7 +1,6 @@
 #include "run/exceedance.hpp"
 
 #include <cmath>
-#include <system_error>
 
 #include <fmt/format.h>
 
@@ -50,14 +49,6 @@ std::vector<ColourStep> share_steps() {
           {0, {102, 37, 6}, "75 % or more"}};
 }
 
-/// Those of an earlier sweep in this folder, of other depths perhaps.
-void remove_former(const fs::path& folder) {
-  std::error_code error;
-  for (const char* name : {"maps", "pictures"})
-    for (const fs::directory_entry& file : fs::directory_iterator(folder / name, error))
-      if (file.path().filename().string().starts_with(map_prefix)) fs::remove(file.path(), error);
-}
-
 }  // namespace
 
 Raster share_above(const std::vector<Raster>& maps, double limit) {
@@ -77,14 +68,11 @@ Raster share_above(const std::vector<Raster>& maps, double limit) {
 std::vector<PagePicture> write_exceedance(const std::vector<fs::path>& runs,
                                           const std::vector<double>& depths, const Case& c,
                                           const fs::path& folder) {
-  remove_former(folder);
+  // Those of an earlier sweep in this folder, of other depths perhaps.
+  for (const char* name : {"maps", "pictures"}) remove_named(folder / name, map_prefix);
   if (depths.empty()) return {};
   const Maps maps = read_maps(runs);
-  for (const char* name : {"maps", "pictures"}) {
-    std::error_code error;
-    fs::create_directories(folder / name, error);
-    if (error) throw RunError(fmt::format("cannot make {}: {}", name, error.message()));
-  }
+  for (const char* name : {"maps", "pictures"}) make_folder(folder / name);
   std::vector<PagePicture> pictures;
   for (const double depth : depths) {
     const Raster share = share_above(maps.depths, depth);

@@ -7,7 +7,6 @@
 
 #include "base/version.hpp"
 #include "io/case_file/toml_string.hpp"
-#include "io/case_file/write_case.hpp"
 #include "io/output/checksum.hpp"
 #include "io/output/cpu_name.hpp"
 #include "io/output/file.hpp"
@@ -126,7 +125,6 @@ void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
   if (!rows.empty()) text += energy_text(balance_of(rows), rows.back().numerical);
   text += quantities_text(facts.quantities);
   text += solver_toml(facts.solver) + passes_toml(facts.passes);
-  write_file_atomically(folder.root() / "case.toml", write_case(c));
   write_file_atomically(folder.manifest(), text + input_checksums(c));
 }
 

@@ -11,7 +11,7 @@ namespace sabo {
 /// Version of the layout of a run folder.
 inline constexpr int run_folder_version = 1;
 
-/// Writes manifest.toml and the resolved case.toml with the checksums of its inputs.
+/// Writes manifest.toml, with the checksums of the inputs.
 void write_manifest(const RunFacts& facts, const Case& c, const Scene& scene,
                     const std::vector<SeriesRow>& rows, const RunFolder& folder);
 

@@ -70,6 +70,12 @@ std::string label_of_body(const Scene& scene, std::size_t index) {
   return is_first ? scene.buildings[k].group : "";
 }
 
+Polygon outline_of_body(const Scene& scene, std::size_t index) {
+  const std::size_t others = scene.bodies.size() - scene.buildings.size();
+  if (index < others) return {{plan_outline(scene.bodies[index].mesh())}};
+  return scene.buildings[index - others].outline;
+}
+
 std::vector<MapLine> overlay(const Scene& scene, DamLine dams) {
   std::vector<MapLine> lines;
   lines.push_back({MapLine::Kind::path, "", scene.path});
@@ -81,8 +87,7 @@ std::vector<MapLine> overlay(const Scene& scene, DamLine dams) {
   const std::size_t others = scene.bodies.size() - scene.buildings.size();
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const std::size_t first = lines.size();
-    const Polygon outline = k < others ? Polygon{{plan_outline(scene.bodies[k].mesh())}}
-                                       : scene.buildings[k - others].outline;
+    const Polygon outline = outline_of_body(scene, k);
     add_outlines(MapLine::Kind::dam, label_of_body(scene, k), {outline}, lines);
     lines[first].is_filled = k >= others && outline.rings.size() == 1;
   }

@@ -19,6 +19,9 @@ std::vector<MapLine> overlay(const Scene& scene, DamLine dams = DamLine::standin
 /// a label.
 std::string label_of_body(const Scene& scene, std::size_t index);
 
+/// Outline of a body of the scene in plan.
+Polygon outline_of_body(const Scene& scene, std::size_t index);
+
 /// Appends the outlines of polygons; the label stands at the first.
 void add_outlines(MapLine::Kind kind, const std::string& label,
                   const std::vector<Polygon>& polygons, std::vector<MapLine>& lines);

@@ -1,10 +1,8 @@
 #include "run/preview_structures.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <string>
-#include <vector>
 
 #include <fmt/format.h>
 

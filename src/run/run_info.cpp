@@ -17,9 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 /// Units of the manifest's keys.
-const std::map<std::string_view, std::string_view> units{{"wall_s", "s"},
-                                                         {"simulated_s", "s"},
-                                                         {"top_speed", "m/s"},
+const std::map<std::string_view, std::string_view> units{{"top_speed", "m/s"},
                                                          {"sound_speed", "m/s"},
                                                          {"released", "m3"},
                                                          {"outflow", "m3"},
@@ -48,6 +46,7 @@ const std::map<std::string_view, std::string_view> units{{"wall_s", "s"},
                                                          {"whole_hydrograph", "m3"},
                                                          {"peak_discharge", "m3/s"},
                                                          {"peak_time", "s"},
+                                                         {"row_time", "s"},
                                                          {"peak_depth", "m"},
                                                          {"peak_speed", "m/s"},
                                                          {"peak_level", "m"},
@@ -59,6 +58,7 @@ const std::map<std::string_view, std::string_view> units{{"wall_s", "s"},
 
 std::string_view unit_of(std::string_view key) {
   if (key.ends_with("_J")) return "J";
+  if (key.ends_with("_s")) return "s";
   const auto unit = units.find(key);
   return unit == units.end() ? "" : unit->second;
 }

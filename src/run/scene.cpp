@@ -1,7 +1,6 @@
 #include "run/scene.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <set>
 #include <string>
 #include <utility>

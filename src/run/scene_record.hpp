@@ -9,8 +9,8 @@
 namespace sabo {
 
 /// Writes what is known before the first step, so that it is there however the run ends: case.toml,
-/// maps/plan.geojson (path, structures, sections, zones), maps/ground.tif (elevation) and
-/// maps/rel.tif (depth of the release).
+/// maps/plan.geojson (path, structures, bodies, inflows, sections, zones), maps/ground.tif
+/// (elevation) and maps/rel.tif (depth of the release).
 /// Throws RunError.
 void write_scene_record(const Case& c, const Scene& scene, const RunFolder& folder);
 

@@ -362,6 +362,9 @@ RunResult run_case(const Case& c, const RunOptions& given) {
     write_scene_record(c, scene, folder);
     if (goes_on) return resumed(c, scene, folder, options, checkpoints)->run();
     return Simulation(c, scene, folder, options, start).run();
+  } catch (const CaseError& error) {  // of what is laid out from the scene
+    folder.set_state("failed", error.what());
+    throw;
   } catch (const RunError& error) {
     folder.set_state("failed", error.what());
     throw;

@@ -44,7 +44,7 @@ struct RunResult {
 };
 
 struct RunOptions {
-  std::filesystem::path folder;  ///< empty or absent; made if need be
+  std::filesystem::path folder;  ///< absent, empty, or with a run as `former` says
   FormerRun former = FormerRun::kept;
   std::function<void(const RunProgress&)> on_progress;  ///< called after steps
   const std::atomic<bool>* stop = nullptr;              ///< set by a signal handler

@@ -7,7 +7,6 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/error.hpp"
 #include "base/version.hpp"
 #include "io/case_file/toml_string.hpp"
 #include "io/output/csv.hpp"
@@ -177,8 +176,7 @@ fs::path write_study(const fs::path& folder, const Case& c, const std::vector<Ba
   std::error_code error;
   const fs::path pictures = folder / "pictures";
   fs::remove_all(pictures, error);
-  fs::create_directories(pictures, error);
-  if (error) throw RunError("cannot make " + pictures.string() + ": " + error.message());
+  make_folder(pictures);
   write_file_atomically(folder / "table.csv", table_csv(table));
   write_file_atomically(folder / "runs.csv", runs_csv(records, table));
   write_file_atomically(folder / "study.toml", study_toml(records, table));

@@ -3,12 +3,10 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "base/error.hpp"
 #include "base/parsed_number.hpp"
 #include "base/version.hpp"
 #include "io/output/csv.hpp"
@@ -92,9 +90,8 @@ PageTable sweep_table(const SweepTable& table) {
 }
 
 fs::path write_sweep(const SweepPage& sweep, const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder / "pictures", error);
-  if (error) throw RunError("cannot make " + folder.string() + ": " + error.message());
+  make_folder(folder / "pictures");
+  remove_named(folder / "pictures", "quantity_");
   write_file_atomically(folder / "runs.csv", sweep_csv(sweep.table));
   IndexPage page;
   page.title = fmt::format("{}: sweep", sweep.c.title.empty() ? "Debris flow" : sweep.c.title);

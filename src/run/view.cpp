@@ -43,8 +43,8 @@ void widen(MapView& view, const Vec3d& point) {
   view.north = std::max(view.north, point.y);
 }
 
-/// Every `stride`-th cell of the part of a raster that a view touches, with the cells of the part's
-/// rim; centres stay where they are.
+/// Every `stride`-th cell of the part of a raster that a view touches, from its north-western one
+/// on; centres stay where they are.
 Raster thinned(const Raster& raster, const MapView& view, int stride) {
   const Grid& from = raster.grid;
   const auto cell = [](int number, int count) { return std::clamp(number, 0, count - 1); };
@@ -75,8 +75,7 @@ ViewWriter::ViewWriter(fs::path folder, const Case& c, const Scene& scene)
     : case_(c), scene_(scene), folder_(std::move(folder)) {
   std::error_code error;
   fs::remove_all(folder_, error);
-  fs::create_directories(folder_, error);
-  if (error) throw RunError("cannot make " + folder_.string() + ": " + error.message());
+  make_folder(folder_);
   one_of_ = (scene.particles_until(c.run.duration) + most_shown - 1) / most_shown;
   one_of_ = std::max<std::size_t>(one_of_, 1);
 }

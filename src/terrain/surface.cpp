@@ -155,9 +155,4 @@ std::optional<SurfacePoint> Surface::nearest(const Vec3d& point, double reach) c
   return best;
 }
 
-double Surface::distance(const Vec3d& point, double reach) const {
-  const std::optional<SurfacePoint> found = nearest(point, reach);
-  return std::copysign(found ? found->distance : reach, point.z - height(point.x, point.y));
-}
-
 }  // namespace sabo

@@ -33,10 +33,6 @@ class Surface {
   /// Unit normal, pointing up, of the triangle under (x, y).
   Vec3d normal(double x, double y) const;
 
-  /// Signed distance to the surface, m: positive above. Exact within `reach` (m), beyond that at
-  /// least `reach` in magnitude.
-  double distance(const Vec3d& point, double reach) const;
-
   /// Nearest point of the triangles with data within `reach` (m); none if there is no such point.
   std::optional<SurfacePoint> nearest(const Vec3d& point, double reach) const;
 

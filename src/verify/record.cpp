@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/version.hpp"
+#include "io/case_file/text_check.hpp"
 #include "io/case_file/toml_string.hpp"
 #include "io/case_file/toml_tree.hpp"
 #include "io/output/checksum.hpp"
@@ -20,8 +21,6 @@ namespace sabo {
 namespace {
 
 namespace fs = std::filesystem;
-
-constexpr std::size_t max_record = 1'000'000;  // bytes
 
 std::string stem(std::string_view name, Method method, Effort effort) {
   return fmt::format("{}-{}-{}", name, word_of(method), word_of(effort));
@@ -107,14 +106,8 @@ VerifyRecord run_verification(const Verification& verification, const VerifySett
   return record;
 }
 
-void make_record_folder(const fs::path& folder) {
-  std::error_code error;
-  fs::create_directories(folder, error);
-  if (error) throw RunError("cannot make " + folder.string() + ": " + error.message());
-}
-
 void write_record(VerifyRecord& record, const fs::path& folder) {
-  make_record_folder(folder);
+  make_folder(folder);
   std::error_code error;
   const std::string name = stem(record.name, record.method, record.effort);
   record.pictures.clear();
@@ -130,7 +123,7 @@ void write_record(VerifyRecord& record, const fs::path& folder) {
 
 std::optional<VerifyRecord> read_record(const fs::path& folder, std::string_view name,
                                         Method method, Effort effort) {
-  const auto text = read_file(folder / (stem(name, method, effort) + ".toml"), max_record);
+  const auto text = read_file(folder / (stem(name, method, effort) + ".toml"), largest_text);
   if (!text) return std::nullopt;
   Faults faults;
   const auto file = parse_toml(*text, "record", faults);

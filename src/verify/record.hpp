@@ -29,9 +29,6 @@ struct VerifyRecord {
 /// Runs a case with the given settings. A failure of the run ends up in the record.
 VerifyRecord run_verification(const Verification& verification, const VerifySettings& settings);
 
-/// Makes the folder of records where there is none. Throws RunError when it cannot.
-void make_record_folder(const std::filesystem::path& folder);
-
 /// Writes the record and its pictures to the folder, which is made, over those of an earlier run.
 /// Throws RunError when it cannot.
 void write_record(VerifyRecord& record, const std::filesystem::path& folder);

@@ -79,6 +79,35 @@ TEST_F(ExportRun, OutlinesHoldTheCellsDeeperThanTheirDepth) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "out/ascii"));
 }
 
+TEST_F(ExportRun, StructuresAreWholeAndHaveTheirNames) {
+  MadeRun run;
+  run.depth = slab(10, 20, 5, 15);
+  run.keys =
+      "[[structure]]\nname = \"slit\"\nline = [[30, 2], [30, 18]]\nthickness = 2\nheight = 8\n"
+      "[[structure.slit]]\ncentre = 8\nwidth = 4\n"
+      "[[body]]\nname = \"house\"\nkind = \"box\"\nmin = [34, 8, 0]\nmax = [38, 12, 60]\n";
+  run.write(folder_ / "built");
+  export_run({folder_ / "built", folder_ / "out", {"gpkg"}, {0.5}});
+  GDALDatasetUniquePtr data(
+      GDALDataset::Open((folder_ / "out/vectors.gpkg").c_str(), GDAL_OF_VECTOR));
+  ASSERT_TRUE(data);
+  OGRLayer* layer = data->GetLayerByName("structures");
+  ASSERT_TRUE(layer);
+  std::vector<std::string> names;
+  for (const auto& feature : *layer) names.push_back(feature->GetFieldAsString("name"));
+  EXPECT_THAT(names, testing::ElementsAre("slit", "house"));
+}
+
+/// Of another run, or made with other formats.
+TEST_F(ExportRun, LeavesNothingOfAFormerExport) {
+  export_run({folder_ / "run", folder_ / "out", {}, {0.5}});
+  ASSERT_TRUE(std::filesystem::exists(folder_ / "out/vectors.gpkg"));
+  export_run({folder_ / "run", folder_ / "out", {"qgis"}, {0.5}});
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/vectors.gpkg"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "out/ascii"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "out/maps/dep.tif"));
+}
+
 TEST_F(ExportRun, RefusesUnknownFormatsAndDepths) {
   EXPECT_THAT(fault_of([&] {
                 export_run({folder_ / "run", "", {"shp"}, {}});
@@ -94,7 +123,7 @@ TEST_F(ExportRun, WithoutItsCaseTheMapsAreStillWritten) {
   std::ofstream(folder_ / "run/case.toml") << "[terrain]\ndem = \"gone.tif\"\n";
   const auto lines = export_run({folder_ / "run", folder_ / "out", {"gpkg"}, {0.5}});
   EXPECT_THAT(lines,
-              testing::Contains(HasSubstr("structures, sections, path and zones are left "
+              testing::Contains(HasSubstr("structures, inflows, sections, path and zones are left "
                                           "out: case.toml:2 terrain.dem: there is no file")));
   EXPECT_TRUE(std::filesystem::exists(folder_ / "out/vectors.gpkg"));
 }

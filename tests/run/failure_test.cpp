@@ -3,12 +3,14 @@
 #include <sstream>
 #include <string>
 
+#include "support/folders.hpp"
 #include "support/full_disk.hpp"
 #include "support/temporary_folder.hpp"
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
 #include "io/case_file/read_case.hpp"
+#include "run/channel.hpp"
 #include "run/new_case.hpp"
 #include "run/simulation.hpp"
 
@@ -70,6 +72,23 @@ TEST(Failure, OutputsUpToADensityFailureAreWritten) {
   EXPECT_TRUE(std::filesystem::exists(result.index));
   EXPECT_TRUE(std::filesystem::exists(folder / "run" / "maps" / "dep.tif"));
   EXPECT_NE(text_of(folder / "run" / "manifest.toml").find("end = \"failed\""), std::string::npos);
+}
+
+/// A body inside of the wall of the channel is found out when particles are laid out, after the
+/// folder is made: the run does not stay "running".
+TEST(Failure, WhatTheLayoutFindsIsInTheManifest) {
+  const TemporaryFolder folder;
+  Faults faults;
+  const Case c = read_case_text(
+      channel +
+          "[[body]]\nname = \"lost\"\nkind = \"box\"\nmin = [2, 0.3, 0]\nmax = [4, 1.2, 2]\n" +
+          inflow + steady + "[run]\nduration = 0.1\n[numerics]\nspacing = 0.25\nthreads = 1\n",
+      repository() / "examples/inflow", faults);
+  faults.throw_if_any();
+  EXPECT_THROW(run_case(c, into(folder / "run")), CaseError);
+  const std::string manifest = text_of(folder / "run" / "manifest.toml");
+  EXPECT_NE(manifest.find("end = \"failed\""), std::string::npos) << manifest;
+  EXPECT_NE(manifest.find("lost"), std::string::npos) << manifest;
 }
 
 TEST(Failure, AFolderWithOtherFilesIsRefused) {

@@ -245,7 +245,7 @@ TEST(Ground, PushesOutOfAnyPlaceInRoughGround) {
     const Vec3d inside{x, y, surface.height(x, y) - 3 * random()};
     const Vec3d moved = ground.pushed_out(inside);
     EXPECT_FALSE(ground.is_solid(moved));
-    EXPECT_LE(norm(moved - inside), std::abs(surface.distance(inside, 10)) + 0.1);
+    EXPECT_LE(norm(moved - inside), surface.nearest(inside, 10)->distance + 0.1);
   }
 }
 

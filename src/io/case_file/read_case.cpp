@@ -10,6 +10,7 @@
 #include "io/case_file/check_rules.hpp"
 #include "io/case_file/key_text.hpp"
 #include "io/case_file/read_value.hpp"
+#include "io/case_file/text_check.hpp"
 #include "io/case_file/toml_tree.hpp"
 
 namespace sabo {
@@ -230,7 +231,9 @@ Case read_text(std::string_view text, const FileContext& file,
                const std::vector<Override>& overrides) {
   Case result;
   result.folder = file.folder;
-  std::optional<TomlTable> root = parse_toml(text, file.file_name, file.faults);
+  std::optional<TomlTable> root =
+      parse_toml(text, file.file_name, file.faults,
+                 file.files_may_be_gone ? largest_written_case : largest_text);
   if (!root) return result;
   for (const Override& replacement : overrides) set_override(*root, replacement, file.faults);
 
@@ -274,7 +277,7 @@ Case read_case(const std::filesystem::path& case_file_or_folder, Faults& faults,
                "give a case file, or a folder with a case.toml");
     return Case{};
   }
-  std::string text(1'100'000, '\0');  // a little more than a case file may have
+  std::string text(largest_text + 1, '\0');
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   return read_text(text, {path.parent_path(), path.filename().string(), faults}, overrides);

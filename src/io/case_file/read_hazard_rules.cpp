@@ -1,7 +1,6 @@
 #include "io/case_file/read_hazard_rules.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

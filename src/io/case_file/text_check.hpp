@@ -14,6 +14,8 @@ struct UnfitText {
 };
 
 inline constexpr std::size_t largest_text = 1'000'000;  ///< bytes, of what a user writes
+/// Of a case that sabo wrote from one, with the help of each key.
+inline constexpr std::size_t largest_written_case = 4 * largest_text;
 
 /// What makes a text unfit for the TOML parser, which does not stand every input: a great size,
 /// bytes that are not UTF-8, control characters, very deep keys. Nothing when it is fit.

@@ -86,7 +86,6 @@ Dem made(const Source& source, const OGRSpatialReference& target, const DemReque
   const double size = request.cell_size;
   const bool resizes = size > 0 && (size != grid.dx || size != grid.dy);
   Dem dem;
-  dem.path = request.file;
   dem.crs_wkt = wkt_of(target);
   if (moves || resizes) {
     dem.raster = warped(source, target, request, dem.notes);

@@ -23,9 +23,8 @@ struct DemRequest {
 };
 
 struct Dem {
-  Raster raster;        ///< elevations, m, in CRS coordinates
-  std::string crs_wkt;  ///< "" for a DEM without one
-  std::filesystem::path path;
+  Raster raster;                        ///< elevations, m, in CRS coordinates
+  std::string crs_wkt;                  ///< "" for a DEM without one
   std::vector<std::string> notes = {};  ///< what was done to it, a sentence part each
 };
 

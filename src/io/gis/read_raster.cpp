@@ -1,7 +1,6 @@
 #include "io/gis/read_raster.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include <fmt/format.h>
 

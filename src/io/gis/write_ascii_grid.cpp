@@ -63,6 +63,8 @@ void write_ascii_grid(const std::filesystem::path& file, const Raster& raster,
   std::error_code error;
   if (std::filesystem::exists(prj(partial.path()), error))
     std::filesystem::rename(prj(partial.path()), prj(file), error);
+  else
+    std::filesystem::remove(prj(file), error);  // of a former grid
   if (error)
     throw RunError(fmt::format("cannot write {}: {}", prj(file).string(), error.message()));
   partial.commit();

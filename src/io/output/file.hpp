@@ -10,4 +10,10 @@ namespace sabo {
 /// read-only, no such folder).
 void write_file_atomically(const std::filesystem::path& file, std::string_view content);
 
+/// With all that it lies in; it may be there already. Throws RunError with the reason.
+void make_folder(const std::filesystem::path& folder);
+
+/// Removes what lies in a folder, if there is one, and has a name that begins so.
+void remove_named(const std::filesystem::path& folder, std::string_view start);
+
 }  // namespace sabo

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <functional>
 
-#include <fmt/format.h>
-
 #include "base/error.hpp"
 
 namespace sabo {

@@ -2,7 +2,6 @@
 
 #include <cstring>
 #include <fstream>
-#include <limits>
 #include <memory>
 #include <string_view>
 #include <vector>

@@ -1,5 +1,3 @@
-#include <algorithm>
-#include <cmath>
 
 #include "report/report_parts.hpp"
 #include <fmt/format.h>

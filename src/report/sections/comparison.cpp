@@ -13,7 +13,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t max_rows = 60, max_columns = 10, max_picture = 20'000'000;
-constexpr std::size_t max_result = 1'000'000;  // bytes
 
 struct KnownQuantity {
   std::string_view start;  ///< of the label; a name may follow
@@ -136,7 +135,7 @@ std::vector<fs::path> products(const RunRecord& run, const char* part, const cha
 
 /// Which folders stand behind the letters a, b, ... of a product.
 std::string runs_of(const RunRecord& run, const char* part) {
-  const auto content = read_file(run.folder() / part / "result.toml", max_result);
+  const auto content = read_file(run.folder() / part / "result.toml", largest_text);
   Faults faults;
   const auto result = content ? parse_toml(*content, "result.toml", faults) : std::nullopt;
   const TomlNode* runs = result ? find(table_at(*result, "result"), "runs") : nullptr;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "report/report_parts.hpp"
 
@@ -119,6 +118,15 @@ void add_gauges(Report& report) {
   page.table(peaks);
 }
 
+/// Of the greatest with its sign: a front that jumps back, as flow leaves the map, has no top
+/// speed.
+std::optional<double> time_of_greatest(const NumberTable& table, const std::string& column) {
+  const std::vector<double>* times = table.find("time [s]");
+  const std::vector<double>* values = table.find(column);
+  if (!times || !values || values->empty()) return std::nullopt;
+  return (*times)[static_cast<std::size_t>(std::ranges::max_element(*values) - values->begin())];
+}
+
 void add_front(Report& report) {
   const auto& [run, other, say, page, sharpness] = report;
   page.section(say("front.title"));
@@ -134,13 +142,13 @@ void add_front(Report& report) {
   page.chart(speed, source);
   ReportTable facts;
   facts.header = {"", say("column.value"), say("column.unit")};
-  if (const auto end = last_of(*table, "displacement [m]"))
-    facts.rows.push_back({say("front.runout"), amount(*end), "m"});
-  if (const auto peak = peak_of(*table, "velocity [m/s]")) {
-    facts.rows.push_back({say("front.top_speed"), fixed(peak->value, 1), "m/s"});
-    facts.rows.push_back({say("front.top_time"), fixed(peak->time, 1), "s"});
-  }
-  facts.source = source;
+  if (const auto runout = run.quantity("front run-out [m]"))
+    facts.rows.push_back({say("front.runout"), amount(*runout), "m"});
+  if (const auto top = run.quantity("peak front speed [m/s]"))
+    facts.rows.push_back({say("front.top_speed"), fixed(*top, 1), "m/s"});
+  if (const auto time = time_of_greatest(*table, "velocity [m/s]"))
+    facts.rows.push_back({say("front.top_time"), fixed(*time, 1), "s"});
+  facts.source = data_line(report, {"series/front.csv", "manifest.toml [quantities]"});
   page.table(facts);
 }
 

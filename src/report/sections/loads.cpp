@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "report/report_parts.hpp"
-#include <fmt/format.h>
 
 #include "io/output/read_file.hpp"
 

@@ -4,7 +4,6 @@
 #include <utility>
 
 #include "report/report_parts.hpp"
-#include <fmt/format.h>
 
 #include "case/material_presets.hpp"
 #include "io/case_file/listing.hpp"

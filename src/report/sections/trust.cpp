@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 #include "report/report_maps.hpp"
 #include <fmt/format.h>

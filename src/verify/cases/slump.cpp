@@ -6,8 +6,6 @@
 // that number: with mu_0 / mu_B = 1e5 there is a long time at which one is over and the other has
 // not begun. It counts as stopped when doubling the time changes its length by less than 3 %.
 
-#include <cmath>
-
 #include "verify/cases.hpp"
 #include "verify/cases/column_collapse.hpp"
 #include "verify/slump_at_rest.hpp"

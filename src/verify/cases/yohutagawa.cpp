@@ -51,7 +51,9 @@ struct Variant {
 
 Case case_of(const Variant& variant, const VerifySettings& settings, double spacing) {
   const fs::path folder = settings.folder / "yohutagawa-case";
-  if (!fs::exists(folder / "case.toml")) new_case("yohutagawa", folder);
+  std::error_code error;
+  fs::remove_all(folder, error);  // another version may have made it
+  new_case("yohutagawa", folder);
   Faults faults;
   Case c = load_case(folder, faults);
   if (!faults.empty()) throw RunError(folder.string() + " is not the case that sabo new wrote");
