@@ -6,6 +6,7 @@
 
 #include "post/finished_run.hpp"
 #include "post/map_difference.hpp"
+#include "post/map_style.hpp"
 #include "post/observed_data.hpp"
 #include "post/result_folder.hpp"
 #include "post/run_plan.hpp"
@@ -230,8 +231,7 @@ class Survey {
     folder_.write("maps/footprint.qml", qgis_class_style(footprint_classes()));
     folder_.list("maps/footprint.tif", "1: hit, 2: miss, 3: false alarm");
     MapPicture map = picture("Run and survey", "cells deeper than the threshold");
-    for (const RasterClass& one : footprint_classes())
-      map.steps.push_back({one.number + 0.5, one.colour, one.label});
+    map.steps = class_steps(footprint_classes());
     folder_.add_picture("footprint.svg", map_svg(map, run_.ground().raster, cells),
                         fmt::format("{}; {} beside the survey (maps/footprint.tif)",
                                     observed_.source, data_.simulated.description),

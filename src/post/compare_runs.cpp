@@ -137,18 +137,16 @@ class RunComparison {
     }
     view_ = view_around(reached, 0);
     MapPicture map = picture("Reached by the flow", "cells that were wet");
-    map.steps = {{1.5, {230, 97, 1}, "in a only"},
-                 {2.5, {94, 60, 153}, "in b only"},
-                 {0, {166, 206, 227}, "in both"}};
+    const std::vector<RasterClass> classes{{1, "in a only", {230, 97, 1}},
+                                           {2, "in b only", {94, 60, 153}},
+                                           {3, "in both", {166, 206, 227}}};
+    map.steps = class_steps(classes);
     folder_.add_picture("reached.svg", map_svg(map, ground_.raster, reached),
                         fmt::format("Wet in a only {} m2, in b only {} m2, in both {} m2 "
                                     "(maps/reached.tif; deeper than {:g} and {:g} m)",
                                     table_number(areas[1]), table_number(areas[2]),
                                     table_number(areas[3]), wet_a, wet_b),
                         true);
-    const std::vector<RasterClass> classes{{1, "in a only", {230, 97, 1}},
-                                           {2, "in b only", {94, 60, 153}},
-                                           {3, "in both", {166, 206, 227}}};
     write_class_raster(folder_.maps() / "reached.tif", reached, classes, a.crs_wkt,
                        "cells that were wet");
     folder_.write("maps/reached.qml", qgis_class_style(classes));

@@ -6,6 +6,7 @@
 
 #include "post/finished_run.hpp"
 #include "post/map_difference.hpp"
+#include "post/map_style.hpp"
 #include "post/result_folder.hpp"
 #include "post/run_plan.hpp"
 #include "post/table_text.hpp"
@@ -52,14 +53,6 @@ std::vector<RasterClass> raster_classes(const std::vector<HazardClass>& classes)
   for (std::size_t k = 0; k < classes.size(); ++k)
     named.push_back({static_cast<int>(classes.size() - k), classes[k].label, classes[k].colour});
   return named;
-}
-
-/// Classes of a picture rise with their numbers.
-std::vector<ColourStep> steps_of(const std::vector<RasterClass>& classes) {
-  std::vector<ColourStep> steps;
-  for (const RasterClass& one : classes) steps.push_back({one.number + 0.5, one.colour, one.label});
-  std::ranges::sort(steps, {}, &ColourStep::end);
-  return steps;
 }
 
 class HazardStudy {
@@ -155,7 +148,7 @@ class HazardStudy {
     MapPicture map{fmt::format("{}: {}", rules_.name, title), runs_.front().run_case().note, title};
     map.view = view_;
     map.lines = lines_;
-    map.steps = steps_of(named);
+    map.steps = class_steps(named);
     folder.add_picture(
         file + ".svg", map_svg(map, ground.raster, numbers),
         fmt::format("{}: {}, the worst over the runs (maps/{}.tif)", rules_.name, title, file),

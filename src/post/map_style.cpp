@@ -22,6 +22,13 @@ MapStyle style_of(const RunMap& map, double wet_depth) {
   return {capitalised(what), labelled(map.name), map.unit == "m" ? wet_depth : 0, {}};
 }
 
+std::vector<ColourStep> class_steps(const std::vector<RasterClass>& classes) {
+  std::vector<ColourStep> steps;
+  for (const RasterClass& one : classes) steps.push_back({one.number + 0.5, one.colour, one.label});
+  std::ranges::sort(steps, {}, &ColourStep::end);
+  return steps;
+}
+
 double greatest_value(const Raster& raster) {
   double greatest = 0;
   for (const double value : raster.values) greatest = std::max(greatest, value);  // false for NaN

@@ -83,13 +83,6 @@ std::string chart_json(const LineChart& chart) {
       chart.has_zero, series, references, marks);
 }
 
-/// Within a script element no tag may begin.
-std::string in_script(const std::string& json) {
-  std::string safe;
-  for (const char c : json) c == '<' ? safe += "\\u003c" : safe += c;
-  return safe;
-}
-
 std::string source_html(const std::string& text) {
   return text.empty() ? "" : fmt::format("<p class=\"source\">{}</p>", escaped(text));
 }
@@ -157,7 +150,7 @@ void HtmlPage::chart(LineChart chart, const std::string& source) {
   body_ += fmt::format(
       "<figure class=\"chart\">\n{}<script type=\"application/json\">{}</script>\n"
       "<figcaption>{}</figcaption></figure>\n",
-      chart_svg(chart), in_script(chart_json(chart)), source_html(source));
+      chart_svg(chart), chart_json(chart), source_html(source));
 }
 
 void HtmlPage::picture(const std::string& svg, const std::string& source) {

@@ -7,6 +7,7 @@
 
 #include "analysis/bed_normal.hpp"
 #include "io/gis/write_raster.hpp"
+#include "run/scene_lines.hpp"
 
 namespace sabo {
 namespace {
@@ -62,13 +63,6 @@ constexpr std::array kinds{
             "greatest vertical depth over the particle spacing", true, Bare::without_data, nullptr,
             as_is<&RunMaps::layers>},
 };
-
-/// Rasters live in the solver frame; files are in CRS coordinates.
-Raster in_crs(Raster raster, const Frame& frame) {
-  raster.grid.west += frame.origin_x;
-  raster.grid.north += frame.origin_y;
-  return raster;
-}
 
 }  // namespace
 

@@ -19,6 +19,13 @@ inline void to_frame(const Frame& frame, Grid& grid) {
   grid.north -= frame.origin_y;
 }
 
+/// Back to those coordinates, in which files are.
+inline Raster in_crs(Raster raster, const Frame& frame) {
+  raster.grid.west += frame.origin_x;
+  raster.grid.north += frame.origin_y;
+  return raster;
+}
+
 inline void to_frame(const Frame& frame, Polygon& polygon) {
   for (std::vector<Vec3d>& ring : polygon.rings)
     for (Vec3d& vertex : ring) vertex = in_frame(frame, vertex);

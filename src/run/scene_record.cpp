@@ -12,17 +12,16 @@
 #include "io/output/file.hpp"
 #include "io/output/plan_file.hpp"
 #include "run/overlay.hpp"
+#include "run/scene_lines.hpp"
 
 namespace sabo {
 namespace {
 
 void write_map(const std::filesystem::path& file, Raster raster, const std::string& what,
                const std::string& note, const Frame& frame) {
-  raster.grid.west += frame.origin_x;
-  raster.grid.north += frame.origin_y;
   RasterInfo info{frame.crs, what, "m"};
   if (!note.empty()) info.metadata["note"] = note;
-  write_raster(file, raster, info);
+  write_raster(file, in_crs(std::move(raster), frame), info);
 }
 
 /// Vertical depth of the release over the cells of the DEM, m, in the solver frame.

@@ -6,7 +6,7 @@
 #include <rapidcheck/gtest.h>
 
 #include "io/output/base64.hpp"
-#include "io/output/script_string.hpp"
+#include "io/output/json.hpp"
 #include "io/output/view_frame.hpp"
 #include "io/output/view_scene.hpp"
 
@@ -24,19 +24,19 @@ TEST(Base64, IsThatOfTheStandard) {  // RFC 4648, section 10
 }
 
 TEST(ScriptString, EndsNoElementAndNoString) {
-  EXPECT_EQ(script_string("</script><!-- \"\\ & '"),
+  EXPECT_EQ(json_string("</script><!-- \"\\ & '"),
             R"("\u003c/script\u003e\u003c!-- \u0022\u005c \u0026 '")");
 }
 
 TEST(ScriptString, KeepsUtf8AndReplacesWhatIsNot) {
-  EXPECT_EQ(script_string("\xE6\xB2\xA2"), "\"\xE6\xB2\xA2\"");
-  EXPECT_EQ(script_string("a\xFF\nb\xE2\x80\xA8"
-                          "c"),
+  EXPECT_EQ(json_string("\xE6\xB2\xA2"), "\"\xE6\xB2\xA2\"");
+  EXPECT_EQ(json_string("a\xFF\nb\xE2\x80\xA8"
+                        "c"),
             "\"a\\ufffd b c\"");
 }
 
 RC_GTEST_PROP(ScriptString, HasNothingThatEndsItWhateverTheText, (const std::string& text)) {
-  const std::string made = script_string(text);
+  const std::string made = json_string(text);
   RC_ASSERT(made.size() >= 2 && made.front() == '"' && made.back() == '"');
   RC_ASSERT(made.find_first_of("<>&\n\r", 0) == std::string::npos);
   RC_ASSERT(made.find('"', 1) == made.size() - 1);

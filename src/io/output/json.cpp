@@ -1,18 +1,34 @@
 #include "io/output/json.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
 
+#include "base/utf8.hpp"
+
 namespace sabo {
 
-std::string json_string(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += static_cast<unsigned char>(c) < 0x20 ? ' ' : c;
+std::string json_string(std::string_view text) {
+  std::string out = "\"";
+  for (std::size_t i = 0; i < text.size();) {
+    const std::size_t length = utf8_length(text, i);
+    const std::string_view character = text.substr(i, length);
+    const auto code = static_cast<unsigned char>(text[i]);
+    // U+2028 and U+2029 ended a line of JavaScript before 2019.
+    if (length == 0) {
+      out += "\\ufffd";
+    } else if (character == "\xE2\x80\xA8" || character == "\xE2\x80\xA9" || code < 0x20 ||
+               code == 0x7F) {
+      out += ' ';
+    } else if (std::string_view("\"\\<>&").find(text[i]) != std::string_view::npos) {
+      out += fmt::format("\\u{:04x}", code);
+    } else {
+      out += character;
+    }
+    i += std::max<std::size_t>(length, 1);
   }
-  return result + '"';
+  return out + '"';
 }
 
 std::string json_number(double value) {

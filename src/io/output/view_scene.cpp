@@ -11,7 +11,6 @@
 #include "io/gis/crs.hpp"
 #include "io/output/base64.hpp"
 #include "io/output/json.hpp"
-#include "io/output/script_string.hpp"
 #include "io/output/view_frame.hpp"
 
 namespace sabo {
@@ -56,7 +55,7 @@ std::string solid_text(const ViewSolid& solid) {
     }
   }
   return fmt::format("{{\"name\":{},\"triangles\":{},\"corners\":\"{}\"}}\n",
-                     script_string(solid.name), solid.mesh.triangles.size(), base64_of(bytes));
+                     json_string(solid.name), solid.mesh.triangles.size(), base64_of(bytes));
 }
 
 const char* kind_word(MapLine::Kind kind) {
@@ -78,7 +77,7 @@ const char* kind_word(MapLine::Kind kind) {
 
 std::string line_text(const MapLine& line) {
   return fmt::format("{{\"kind\":\"{}\",\"name\":{},\"points\":{}}}\n", kind_word(line.kind),
-                     script_string(line.label), list_of(line.line.vertices, [](const Vec3d& p) {
+                     json_string(line.label), list_of(line.line.vertices, [](const Vec3d& p) {
                        return fmt::format("[{:.9g},{:.9g}]", p.x, p.y);
                      }));
 }
@@ -96,8 +95,8 @@ std::string view_scene_script(const ViewScene& scene) {
       "\"origin\":[{:.17g},{:.17g}],\"spacing\":{},\"one_of\":{},\n"
       "\"tops\":{{\"depth\":{},\"speed\":{},\"pressure\":{}}},\n"
       "\"frames\":{},\n\"lines\":{},\n\"solids\":{},\n\"ground\":{}}});\n",
-      view_format, script_string(scene.title), script_string(scene.note), script_string(scene.run),
-      script_string(scene.program), script_string(wkt.empty() ? "" : name_of(crs_of(wkt))),
+      view_format, json_string(scene.title), json_string(scene.note), json_string(scene.run),
+      json_string(scene.program), json_string(wkt.empty() ? "" : name_of(crs_of(wkt))),
       scene.frame.origin_x, scene.frame.origin_y, json_number(scene.spacing), scene.one_of,
       json_number(scene.depth_top), json_number(scene.speed_top), json_number(scene.pressure_top),
       list_of(scene.frames, frame_text), list_of(scene.lines, line_text),
