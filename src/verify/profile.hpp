@@ -17,17 +17,6 @@ namespace sabo {
 
 using Profile = std::function<double(double z)>;  // m -> m/s
 
-/// Root mean square of the difference over that of the exact speed.
-inline double profile_error(const Particles& fluid, const Profile& exact) {
-  double difference = 0, size = 0;
-  for (std::size_t i = 0; i < fluid.size(); ++i) {
-    const double u = exact(fluid.position[i].z);
-    difference += (fluid.velocity[i].x - u) * (fluid.velocity[i].x - u);
-    size += u * u;
-  }
-  return std::sqrt(difference / size);
-}
-
 /// Speed over height, of each particle.
 inline ChartSeries profile_series(const std::string& name, const Particles& fluid) {
   std::vector<std::size_t> order(fluid.size());
@@ -39,6 +28,20 @@ inline ChartSeries profile_series(const std::string& name, const Particles& flui
     series.y.push_back(fluid.velocity[i].x);
   }
   return series;
+}
+
+/// Root mean square of the difference over that of the exact speed; of speeds over heights.
+inline double profile_error(const ChartSeries& flow, const Profile& exact) {
+  double difference = 0, size = 0;
+  for (std::size_t k = 0; k < flow.x.size(); ++k) {
+    const double u = exact(flow.x[k]);
+    difference += (flow.y[k] - u) * (flow.y[k] - u);
+    size += u * u;
+  }
+  return std::sqrt(difference / size);
+}
+inline double profile_error(const Particles& fluid, const Profile& exact) {
+  return profile_error(profile_series("", fluid), exact);
 }
 
 /// Markers of the exact profile between 0 and `height`.

@@ -5,18 +5,17 @@
 #include <variant>
 #include <vector>
 
-#include "physics/kernel.hpp"
+#include "physics/layered_viscosity.hpp"
 #include "physics/pair/forces.hpp"
-#include "physics/pair/strain_rate.hpp"
 #include "physics/rheology_list.hpp"
 
 namespace sabo {
 
 /// A flow between two plates, driven by a body force, as the sums of the solver make it of rows of
-/// particles that lie still on a square lattice: in one dimension, by backward Euler, with the
-/// viscosity of the last step. Beyond the plates the rows are mirrored and move the other way. What
-/// a simulation misses as these rows do is no matter of motion, disorder, shifting or steps.
-struct StillRows {
+/// particles that slide over each other in order: in one dimension, since such rows meet at all
+/// places along them. By backward Euler, with the viscosity of the last step. What a simulation
+/// misses as these rows do is no matter of disorder, shifting, walls or steps.
+struct OrderedRows {
   Rheology law;
   double yield_stress;  ///< Pa
   double density;       ///< kg/m3
@@ -25,7 +24,7 @@ struct StillRows {
   double h_over_dp;
 
   /// Speeds of the rows after `time` (s) from those of `speeds`, one a row from plate to plate,
-  /// m/s.
+  /// m/s. Rows whose kernel reaches beyond a plate keep theirs.
   std::vector<double> after(double time, std::vector<double> speeds) const {
     const Sums sums = sums_over_rows(static_cast<int>(speeds.size()));
     for (int step = 0; step < std::lround(time / dt); ++step) advance(speeds, sums);
@@ -43,39 +42,29 @@ struct StillRows {
   };
 
   Sums sums_over_rows(int count) const {
-    const double dp = height / count, volume = dp * dp;
+    const double dp = height / count;
     const auto kernel = WendlandC2<double>::make(h_over_dp * dp, 2);
-    const int reach = static_cast<int>(std::ceil(kernel.radius() / dp)) - 1;
-    Sums sums{std::vector(reach + 1, 0.0), std::vector(reach + 1, 0.0)};
-    for (int row = 1; row <= reach; ++row)
-      for (int k = -reach; k <= reach; ++k) {
-        const auto pair = pair_geometry(Vec3d{k * dp, 0, row * dp}, kernel);
-        sums.diffusion[row] += viscous_conductance(pair, 1.0, volume, volume) / (density * volume);
-        sums.slope[row] += strain_rate(pair, Vec3d{1, 0, 0}, volume).xz;
-      }
+    const double carried = layered_viscosity(kernel, 2, dp);  // see there: both are divided by it
+    Sums sums{{0}, {0}};
+    for (double z = dp; z < kernel.radius(); z += dp) {
+      const auto steepness = [&](double r) { return -kernel.gradient_factor(r); };
+      const double share = dp * plane_integral(steepness, kernel.radius(), 2, z) / carried;
+      sums.diffusion.push_back(2 * share / density);
+      sums.slope.push_back(share * z);
+    }
     return sums;
-  }
-
-  /// Row `k` or the one that it mirrors, and which way that moves.
-  struct Image {
-    int row;
-    double sign;
-  };
-  static Image image(int k, int count) {
-    if (k < 0) return {-1 - k, -1};
-    if (k >= count) return {2 * count - 1 - k, -1};
-    return {k, 1};
   }
 
   std::vector<double> viscosities(const std::vector<double>& u, const Sums& sums) const {
     const int count = static_cast<int>(u.size());
+    const auto speed = [&](int k) {  // beyond a plate it goes on as it comes
+      return k < 0 ? -u[-1 - k] : k < count ? u[k] : -u[2 * count - 1 - k];
+    };
     std::vector<double> result(u.size());
     for (int i = 0; i < count; ++i) {
       double rate = 0;
-      for (int away = 1; away <= sums.reach(); ++away) {
-        const Image up = image(i + away, count), down = image(i - away, count);
-        rate += sums.slope[away] * (up.sign * u[up.row] - down.sign * u[down.row]);
-      }
+      for (int away = 1; away <= sums.reach(); ++away)
+        rate += sums.slope[away] * (speed(i + away) - speed(i - away));
       const Shear at{std::abs(rate), yield_stress, 0};
       result[i] = std::visit([&](const auto& l) { return l.viscosity(at); }, law);
     }
@@ -85,18 +74,17 @@ struct StillRows {
   void advance(std::vector<double>& u, const Sums& sums) const {
     const int count = static_cast<int>(u.size()), reach = sums.reach();
     const std::vector<double> mu = viscosities(u, sums);
-    // Each line begins at the column i - reach.
+    // Each line of the matrix begins at the column i - reach.
     std::vector<std::vector<double>> lines(count, std::vector<double>(2 * reach + 1, 0.0));
     for (int i = 0; i < count; ++i) {
+      lines[i][reach] = 1;
+      if (i < reach || i >= count - reach) continue;
       u[i] += dt * drive;
-      lines[i][reach] += 1;
       for (int j = i - reach; j <= i + reach; ++j) {
         if (j == i) continue;
-        const auto [row, sign] = image(j, count);
-        const double coupling =
-            dt * pair_viscosity(mu[i], mu[row]) * sums.diffusion[std::abs(j - i)];
+        const double coupling = dt * pair_viscosity(mu[i], mu[j]) * sums.diffusion[std::abs(j - i)];
         lines[i][reach] += coupling;
-        lines[i][row - i + reach] -= sign * coupling;
+        lines[i][j - i + reach] = -coupling;
       }
     }
     solve(lines, u, reach);
