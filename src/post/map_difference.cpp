@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "io/gis/crs.hpp"
+#include "io/gis/gdal_errors.hpp"
 #include "io/gis/round_length.hpp"
 #include "io/gis/warp.hpp"
 
@@ -15,6 +16,7 @@ namespace sabo {
 namespace {
 
 void check_place(const RunMap& map, const RunMap& like) {
+  const GdalErrors errors;
   const OGRSpatialReference own = crs_of(map.crs_wkt);
   const OGRSpatialReference other = crs_of(like.crs_wkt);
   if (is_unknown(own) && is_unknown(other)) return;
@@ -54,6 +56,7 @@ AlignedMap aligned(RunMap map, const RunMap& like) {
   const WarpPlan plan{grid, grid.dx > own.dx * (1 + 1e-6)};
   result.note = fmt::format("resampled from {:g} x {:g} m to {:g} x {:g} m cells ({})", own.dx,
                             own.dy, grid.dx, grid.dy, plan.averages ? "means" : "bilinear");
+  const GdalErrors errors;
   const OGRSpatialReference crs = crs_of(like.crs_wkt);
   result.map.raster = warp(result.map.raster, crs, plan, crs);
   return result;

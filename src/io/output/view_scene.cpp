@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "io/gis/crs.hpp"
+#include "io/gis/gdal_errors.hpp"
 #include "io/output/base64.hpp"
 #include "io/output/json.hpp"
 #include "io/output/view_frame.hpp"
@@ -89,6 +90,7 @@ std::string frame_text(const ViewFrameEntry& entry) {
 }  // namespace
 
 std::string view_scene_script(const ViewScene& scene) {
+  const GdalErrors errors;
   const std::string& wkt = scene.frame.crs;
   return fmt::format(
       "sabo_scene({{\"format\":{},\"title\":{},\"note\":{},\"run\":{},\"program\":{},\"crs\":{},\n"
