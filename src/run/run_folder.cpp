@@ -16,7 +16,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-void make_folder(const fs::path& folder) {
+/// A fault of the call: the user can name another folder.
+void make_or_refuse(const fs::path& folder) {
   std::error_code error;
   fs::create_directories(folder, error);
   if (error)
@@ -38,13 +39,13 @@ RunFolder::RunFolder(std::filesystem::path folder, FormerRun former)
           "choose another folder with -o, let it go on with --resume, or say --overwrite");
   };
   refuse_former();
-  make_folder(root_);
+  make_or_refuse(root_);
   lock_.emplace(root_);
   refuse_former();  // another process may have made one until now
   remove_made_of_results();
   if (former == FormerRun::replaced) remove_results();
   for (const fs::path& part : {maps(), series(), frames(), pictures(), checkpoints()})
-    make_folder(part);
+    make_or_refuse(part);
   remove_parts();
   // From here on the folder is known as that of a run, whatever happens to it.
   set_state("running", "");
