@@ -1,10 +1,18 @@
 #pragma once
 
+#include <cmath>
 #include <vector>
 
 #include "terrain/ground.hpp"
 
 namespace sabo::test {
+
+/// Signed distance to the surface, m: positive above. Exact within `reach` (m), beyond that `reach`
+/// in magnitude.
+inline double distance_to(const Surface& surface, const Vec3d& point, double reach) {
+  const auto found = surface.nearest(point, reach);
+  return std::copysign(found ? found->distance : reach, point.z - surface.height(point.x, point.y));
+}
 
 /// Lets the boundary follow the fluid; whether anything had to change.
 inline bool follow(Ground& ground, const std::vector<Vec3d>& fluid, double reach,

@@ -8,6 +8,7 @@
 
 #include "rasters.hpp"
 #include "support/folders.hpp"
+#include "support/ground.hpp"
 #include <gtest/gtest.h>
 
 #include "terrain/ground.hpp"
@@ -105,7 +106,7 @@ Gaps gaps_in(const Place& place, double spacing) {
       const double depth = (layer + 0.5) * spacing;
       const Vec3d point =
           Vec3d{u, v, place.surface.height(u, v)} - depth * place.surface.normal(u, v);
-      if (place.surface.distance(point, depth) > -0.4 * depth) continue;
+      if (test::distance_to(place.surface, point, depth) > -0.4 * depth) continue;
       const double width = gap(particles.position, point) / spacing;
       gaps.widest = std::max(gaps.widest, width);
       gaps.wide += width > 1;
@@ -167,7 +168,7 @@ TEST_P(GroundShell, NeitherTouchesTheSurfaceNorCrowds) {
     for (std::size_t k = 0; k < particles.size(); ++k) {
       const Vec3d& p = particles.position[k];
       if (!place.window.holds(p)) continue;
-      EXPECT_LE(place.surface.distance(p, spacing), -0.3 * spacing) << place.name;
+      EXPECT_LE(test::distance_to(place.surface, p, spacing), -0.3 * spacing) << place.name;
       EXPECT_LT(particles.mass[k], 1.25 * 1000 * spacing * spacing * spacing) << place.name;
       for (std::size_t other = 0; other < k; ++other) {
         EXPECT_GT(norm(particles.position[other] - p), 0.3 * spacing) << place.name;
@@ -221,7 +222,8 @@ TEST(InsetHeight, IsAsFarFromTheSurfaceAsAsked) {
     const double y = 16 * random() - 8;
     const double depth = 0.2 + 4 * random();
     const Vec3d point{x, y, inset_height(surface, x, y, depth)};
-    EXPECT_NEAR(surface.distance(point, 5), -depth, 1e-9) << x << ' ' << y << ' ' << depth;
+    EXPECT_NEAR(test::distance_to(surface, point, 5), -depth, 1e-9)
+        << x << ' ' << y << ' ' << depth;
   }
 }
 
