@@ -165,7 +165,7 @@ Verdict verify_frictional_dam_break(const VerifySettings& settings) {
         "the last two fifths of its way, and has its full speed from the start. A flow that "
         "resolves its depth has to fall first: without any friction it is behind its own solution "
         "as well. Resolution is not the cause: at h0/dp 80 the depth of h0/10 is at 0.82 m and "
-        "1.46 m after 2 and 3 √(h0/g), 5 and 4 % behind where it is at 40, and the foremost "
+        "1.46 m after 2 and 3 √(h0/g), 5 and 3 % behind where it is at 40, and the foremost "
         "particle at 1.02, 2.77 and 4.49 m after 2, 4 and 6; there the film of the solution is "
         "thinner than a spacing for the last sixth of its way"};
   LineChart chart{"Dam break on 30°, wall friction 25°", "time over √(h0/g)", "place [m]"};
