@@ -21,7 +21,9 @@ std::string json_string(std::string_view text) {
     } else if (character == "\xE2\x80\xA8" || character == "\xE2\x80\xA9" || code < 0x20 ||
                code == 0x7F) {
       out += ' ';
-    } else if (std::string_view("\"\\<>&").find(text[i]) != std::string_view::npos) {
+    } else if (text[i] == '"' || text[i] == '\\') {
+      out += {'\\', text[i]};
+    } else if (text[i] == '<' || text[i] == '>') {
       out += fmt::format("\\u{:04x}", code);
     } else {
       out += character;
