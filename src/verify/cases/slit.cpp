@@ -166,7 +166,7 @@ void add_claims(const Fluid& one, const Outcome& outcome, double greatest_gradie
     add(Claim::at_most(gradient, "1/s", outcome.gradient, greatest_gradient));
 }
 
-std::vector<std::string> remarks(const VerifySettings& settings, bool has_order) {
+std::vector<std::string> slit_remarks(const VerifySettings& settings, bool has_order) {
   std::vector<std::string> list{
       fmt::format("plates {:g} m apart, ρ {:g} kg/m³, {:g} m/s² along them, μB {:g} Pa s, yield "
                   "stress {:g} Pa; Cross and Bingham's family with μ0/μB 1000, the plug is a "
@@ -259,7 +259,7 @@ Verdict verify_slit(const VerifySettings& settings) {
   const Outcome weak = run(list.front(), resolutions.front(), 0.5 * yield_stress, settings);
   // Well outside the band of 0.015.
   verdict.claims.push_back(Claim::at_least("half the yield stress: L2 error", "", weak.error, 0.1));
-  if (!quick) verdict.remarks = remarks(settings, resolutions.size() > 2);
+  if (!quick) verdict.remarks = slit_remarks(settings, resolutions.size() > 2);
   return verdict;
 }
 
