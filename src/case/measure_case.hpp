@@ -73,8 +73,8 @@ struct PathCase {
   void describe(V&& v) {
     v(Key{"line", "",
           "line along the valley for the front; without it, steepest descent from the release, or "
-          "else from the "
-          "largest inflow, and on level ground the axis along which there is most room"},
+          "else from the largest inflow, and on level ground the axis along which there is most "
+          "room"},
       line);
   }
 };

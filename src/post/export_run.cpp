@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <system_error>
 
 #include "post/finished_run.hpp"
 #include "post/map_style.hpp"
@@ -82,12 +83,13 @@ class RunExport {
       : run_(run), folder_(folder), formats_(std::move(formats)) {}
 
   std::vector<std::string> carry_out(const std::vector<double>& depths) {
+    remove_former();
+    if (has("ascii")) make_folder(ascii_);
     std::vector<std::string> names = run_.maps();
     names.emplace_back("ground");
     for (const std::string& name : names) write_map(run_.map(name));
     if (has("ascii"))
-      lines_.push_back(fmt::format("{} ESRI ASCII grids in {}", names.size(),
-                                   (folder_.root() / "ascii").string()));
+      lines_.push_back(fmt::format("{} ESRI ASCII grids in {}", names.size(), ascii_.string()));
     if (has("qgis"))
       lines_.push_back(
           fmt::format("{} GeoTIFFs with QGIS styles in {}", names.size(), folder_.maps().string()));
@@ -100,11 +102,14 @@ class RunExport {
     return std::ranges::find(formats_, format) != formats_.end();
   }
 
+  /// Of an export of another run or with other formats.
+  void remove_former() const {
+    std::error_code error;
+    for (const fs::path& former : {ascii_, vectors_}) fs::remove_all(former, error);
+  }
+
   void write_map(const RunMap& map) {
-    if (has("ascii")) {
-      make_folder(folder_.root() / "ascii");
-      write_ascii_grid(folder_.root() / "ascii" / (map.name + ".asc"), map.raster, map.crs_wkt);
-    }
+    if (has("ascii")) write_ascii_grid(ascii_ / (map.name + ".asc"), map.raster, map.crs_wkt);
     if (!has("qgis")) return;
     write_raster(folder_.maps() / (map.name + ".tif"), map.raster,
                  {map.crs_wkt, map.description, map.unit});
@@ -120,16 +125,16 @@ class RunExport {
     const RunMap peak = run_.map("pfd");
     layers.push_back(outlines("affected_area", peak, depths));
     layers.push_back(outlines("deposit_area", run_.map("dep"), depths));
-    const fs::path file = folder_.root() / "vectors.gpkg";
-    write_layers(file, layers, peak.crs_wkt);
+    write_layers(vectors_, layers, peak.crs_wkt);
     std::string names;
     for (const VectorLayer& layer : layers)
       if (!layer.rows.empty()) names += (names.empty() ? "" : ", ") + layer.name;
-    lines_.push_back(fmt::format("{}: {}", file.string(), names));
+    lines_.push_back(fmt::format("{}: {}", vectors_.string(), names));
   }
 
   const FinishedRun& run_;
   const ResultFolder& folder_;
+  const fs::path ascii_ = folder_.root() / "ascii", vectors_ = folder_.root() / "vectors.gpkg";
   std::vector<std::string> formats_;
   std::vector<std::string> lines_;
 };

@@ -23,8 +23,6 @@ namespace fs = std::filesystem;
 
 constexpr const char* marker = "result.toml";
 constexpr std::array<const char*, 3> parts{"maps", "pictures", "tables"};
-/// What else a former result may have left.
-constexpr std::array<const char*, 2> exports{"ascii", "vectors.gpkg"};
 
 /// What the marker of a folder says it is; "" without one.
 std::string kind_of(const fs::path& folder) {
@@ -51,10 +49,8 @@ ResultFolder::ResultFolder(fs::path folder, const std::string& kind,
     : root_(std::move(folder)) {
   std::error_code error;
   if (holds_own_files(
-          root_, [&] { return kind_of(root_) == kind; }, "this command")) {
+          root_, [&] { return kind_of(root_) == kind; }, "this command"))
     for (const char* part : parts) fs::remove_all(root_ / part, error);
-    for (const char* part : exports) fs::remove_all(root_ / part, error);
-  }
   for (const char* part : parts) make_folder(root_ / part);
   write(marker, marker_text(kind, runs));
 }

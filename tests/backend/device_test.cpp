@@ -184,7 +184,7 @@ TEST_P(Device, TellsPlacesWithoutTheRest) {
     const std::vector<std::uint32_t> id(now.id.begin(), now.id.end());
     const std::vector<double> mass(now.mass.begin(), now.mass.end());
     EXPECT_TRUE(std::ranges::equal(position, backend->positions()));
-    EXPECT_DOUBLE_EQ(backend->fastest(), backend->extremes().speed);
+    EXPECT_EQ(backend->fastest(), backend->extremes().speed);
     Particles copy;
     const auto fill_copy = backend->copy_fluid(copy);
     const Particles fluid = backend->fluid();

@@ -24,7 +24,8 @@ TEST(Base64, IsThatOfTheStandard) {  // RFC 4648, section 10
 }
 
 TEST(JsonString, EndsNoElementAndNoString) {
-  EXPECT_EQ(json_string("</script><!-- \"\\ & '"), R"("\u003c/script\u003e\u003c!-- \"\\ & '")");
+  EXPECT_EQ(json_string("</script><!-- \"\\ & '"),
+            R"("\u003c/script\u003e\u003c!-- \"\\ \u0026 '")");
 }
 
 TEST(JsonString, KeepsUtf8AndReplacesWhatIsNot) {
@@ -37,7 +38,7 @@ TEST(JsonString, KeepsUtf8AndReplacesWhatIsNot) {
 RC_GTEST_PROP(JsonString, HasNothingThatEndsItWhateverTheText, (const std::string& text)) {
   const std::string made = json_string(text);
   RC_ASSERT(made.size() >= 2 && made.front() == '"' && made.back() == '"');
-  RC_ASSERT(made.find_first_of("<>\n\r", 0) == std::string::npos);
+  RC_ASSERT(made.find_first_of("<>&\n\r", 0) == std::string::npos);
   std::size_t k = 1;
   while (made[k] != '"') k += made[k] == '\\' ? 2 : 1;
   RC_ASSERT(k == made.size() - 1);

@@ -23,7 +23,7 @@ std::string json_string(std::string_view text) {
       out += ' ';
     } else if (text[i] == '"' || text[i] == '\\') {
       out += {'\\', text[i]};
-    } else if (text[i] == '<' || text[i] == '>') {
+    } else if (text[i] == '<' || text[i] == '>' || text[i] == '&') {
       out += fmt::format("\\u{:04x}", code);
     } else {
       out += character;

@@ -126,9 +126,9 @@ Outcome run(const Fluid& one, int cells, double yield, const VerifySettings& set
   stepper->advance_to(end_time(settings));
 
   Outcome outcome;
-  outcome.error = profile_error(fluid, exact);
   for (const Vec3d& v : fluid.velocity) outcome.speed = std::max(outcome.speed, v.x);
   outcome.profile = profile_series(one.name, fluid);
+  outcome.error = profile_error(outcome.profile, exact);
   outcome.gradient = plug_gradient(outcome.profile);
   ChartSeries same_places = outcome.profile;
   for (std::size_t k = 0; k < same_places.x.size(); ++k) same_places.y[k] = exact(same_places.x[k]);
