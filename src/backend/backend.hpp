@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "backend/body_load.hpp"
+#include "backend/chosen_step.hpp"
 #include "backend/heat_account.hpp"
 #include "backend/model.hpp"
 #include "backend/pass_times.hpp"
@@ -14,7 +15,6 @@
 #include "base/archive.hpp"
 #include "particles/boundary_change.hpp"
 #include "particles/places.hpp"
-#include "physics/time_step.hpp"
 
 namespace sabo {
 
@@ -98,6 +98,13 @@ class Backend {
   /// start of a run: later the boundary follows continuity. Needs pressure().
   virtual void extrapolate_to_boundary() = 0;
 
+  /// How long the step is that the state is to be moved by, from the extremes of the last
+  /// evaluation; at most `longest` (s).
+  virtual void choose_step(const StepRule& rule, double longest) = 0;
+  void fix_step(double dt) { choose_step(FixedStep{dt}, dt); }
+  /// What has been chosen; waits until it is known.
+  virtual ChosenStep chosen_step() const = 0;
+
   // The sweeps of the implicit method, in their order within a step.
 
   /// Pressure of boundary particles near the fluid, as above, for this step.
@@ -107,15 +114,16 @@ class Backend {
   virtual void near_forces() = 0;
   /// Resistance of the walls to the flow along them, by the wall law.
   virtual void wall_resistance() = 0;
-  /// v <- v + dt a, with viscosity and walls implicit: (M + dt K + dt D) v' = M (v + dt a) + dt D
-  /// w. The residual (m/s) ends below `tolerance`, or nothing changes and the solve has not
-  /// converged.
-  virtual ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) = 0;
+  /// v <- v + dt a over the chosen step, with viscosity and walls implicit:
+  /// (M + dt K + dt D) v' = M (v + dt a) + dt D w. The residual ends below `tolerance`, or nothing
+  /// changes and the solve has not converged.
+  virtual ViscousSolve advance_velocity(const VelocityTolerance& tolerance,
+                                        int most_iterations) = 0;
   /// Strain rate and rate of density of the fluid with its new velocity; friction on bodies.
   virtual void near_motion() = 0;
-  /// Moves density and position over the step, then finds the pressure of the fluid and its
+  /// Moves density and position over the chosen step, then finds the pressure of the fluid and its
   /// effective viscosity.
-  virtual void advance_state(double dt) = 0;
+  virtual void advance_state() = 0;
   /// Lets calm particles fall asleep and wakes those whose neighbours move. A sleeping particle is
   /// at rest, keeps its pressure, and is a neighbour to the others as before.
   virtual void update_sleep() = 0;
@@ -123,16 +131,10 @@ class Backend {
   /// Another speed of sound (m/s); densities change so that pressures do not.
   virtual void set_sound_speed(double c0) = 0;
 
-  /// Extremes of the last evaluation, for the time step.
-  virtual FlowExtremes extremes() const = 0;
-  /// The speed among them, m/s, for which a backend may have less to do; it may count those that
-  /// have just fallen asleep.
-  virtual double fastest() const { return extremes().speed; }
+  /// The greatest speed of particles with neighbours, m/s; may count those that have just fallen
+  /// asleep.
+  virtual double fastest() const = 0;
   virtual FlowHealth health() const = 0;
-  /// Power that viscosity, within the flow and at its walls, turns into heat at the last
-  /// evaluation, W; with moving walls their work is counted as well. To be called before the
-  /// state moves on.
-  virtual double dissipation() const = 0;
   /// Since the start. May be a copy: ask again after a step.
   virtual const HeatAccount& heat() const = 0;
 
@@ -147,10 +149,11 @@ class Backend {
   /// The same, particle by particle of the bodies.
   virtual const std::vector<BodyForce>& body_forces() const = 0;
 
-  /// Keeps the state as the start of a step and moves it half a step with the current rates.
-  virtual void predict(double dt) = 0;
-  /// Moves from the start of the step over the whole step with the rates at its middle.
-  virtual void correct(double dt) = 0;
+  /// Keeps the state as the start of the chosen step and moves it by half of it with the current
+  /// rates.
+  virtual void predict() = 0;
+  /// Moves from the start of the chosen step over the whole of it with the rates at its middle.
+  virtual void correct() = 0;
 
   /// Accelerations of the last evaluation, in the present order of the fluid, m/s2.
   virtual const std::vector<Vec3d>& accelerations() const = 0;

@@ -8,7 +8,7 @@ namespace sabo {
 
 /// What the scheme itself has taken from the energy of the flow, J; negative what it gave.
 struct NumericalHeat {
-  double artificial_viscosity = 0;  ///< method fast; with paper it is a part of dissipation
+  double artificial_viscosity = 0;  ///< method fast; with paper it is a part of viscosity
   double density_diffusion = 0;
   double density_hold = 0;  ///< fast: density held to the places of the particles, and tearing
   double shifting = 0;      ///< fast: particles shifted to more even places
@@ -24,7 +24,7 @@ struct NumericalHeat {
 
 /// What has been taken from a flow since its start.
 struct HeatAccount {
-  double viscosity = 0;  ///< fast: by viscosity within the flow and by walls, J
+  double viscosity = 0;  ///< by viscosity within the flow and by walls, J
   NumericalHeat numerical;
 };
 
@@ -32,9 +32,8 @@ struct HeatAccount {
 template <class Heat>
 struct EnterHeat {
   const Heat* heat;
-  double dt;
   HeatAccount* account;
-  SABO_HD void operator()(std::size_t) const { heat->enter(dt, *account); }
+  SABO_HD void operator()(std::size_t) const { heat->enter(*account); }
 };
 
 }  // namespace sabo

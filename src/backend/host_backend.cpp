@@ -99,15 +99,24 @@ void HostBackend::hold_walls() {
                     AtRow<Hold>{driven_walls_.data(), {view(), HostNear(*this)}});
 }
 
-FlowExtremes HostBackend::extremes() const {
+Fastest HostBackend::find_fastest() const {
   const PassClock clock(pass_times_, "checks and sums");
-  Fastest fastest;
-  for (const std::vector<std::uint32_t>* rows : {&awake_, &driven_}) {
-    const FindFastest find{rows->data(),         has_neighbours_.data(),  fluid_.velocity.data(),
-                           acceleration_.data(), fluid_.viscosity.data(), fluid_.density.data()};
-    fastest.join(on_.reduce<Fastest>(rows->size(), find));
-  }
-  return fastest.extremes();
+  const FindFastest find{{awake_.data(), awake_.size()}, {driven_.data(), driven_.size()},
+                         has_neighbours_.data(),         fluid_.velocity.data(),
+                         acceleration_.data(),           fluid_.viscosity.data(),
+                         fluid_.density.data()};
+  return on_.reduce<Fastest>(awake_.size() + driven_.size(), find);
+}
+
+double HostBackend::fastest() const { return std::sqrt(find_fastest().speed2); }
+
+void HostBackend::choose_step(const StepRule& rule, double longest) {
+  const Fastest fastest = find_fastest();
+  std::visit(
+      [&](const auto& by) {
+        ChooseStep<std::decay_t<decltype(by)>>{by, longest, &fastest, &step_}(0);
+      },
+      rule);
 }
 
 FlowHealth HostBackend::health() const {
@@ -118,42 +127,30 @@ FlowHealth HostBackend::health() const {
   return {condition.lowest, condition.highest, condition.broken == 0};
 }
 
-double HostBackend::dissipation() const {
-  const PassClock clock(pass_times_, "checks and sums");
-  const FindDissipation find{model_,
-                             fluid_.position.data(),
-                             fluid_.velocity.data(),
-                             acceleration_.data(),
-                             fluid_.mass.data(),
-                             fluid_.driven.data(),
-                             pressure_power_.data()};
-  return on_.reduce<Total>(fluid_.size(), find).value;
-}
-
-void HostBackend::predict(double dt) {
+void HostBackend::predict() {
   const PassClock clock(pass_times_, "integration");
   start_position_ = fluid_.position;
   start_velocity_ = fluid_.velocity;
   start_density_ = fluid_.density;
   start_boundary_density_ = boundary_.density;
-  on_.for_each(fluid_.size(), PredictFluid{view(), 0.5 * dt});
-  on_.for_each(boundary_.size(), PredictBoundary{view(), 0.5 * dt});
+  on_.for_each(fluid_.size(), PredictFluid{view(), &step_});
+  on_.for_each(boundary_.size(), PredictBoundary{view(), &step_});
 }
 
-void HostBackend::correct(double dt) {
+void HostBackend::correct() {
   const PassClock clock(pass_times_, "integration");
-  on_.reduce<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view()}).enter(dt, heat_);
+  on_.reduce<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view(), &step_}).enter(heat_);
   const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
                         start_boundary_density_.data()};
-  on_.for_each(fluid_.size(), CorrectFluid{view(), start, dt});
-  on_.for_each(boundary_.size(), CorrectBoundary{view(), start, dt});
+  on_.for_each(fluid_.size(), CorrectFluid{view(), start, &step_});
+  on_.for_each(boundary_.size(), CorrectBoundary{view(), start, &step_});
 }
 
 void HostBackend::set_sound_speed(double c0) {
   const Tait former = model_.state;
   model_.state.c0 = c0;
   const ChangeSoundSpeed change{former, model_.state, view_of(fluid_), !model_.tension_at_surface};
-  on_.reduce<SoundHeat>(fluid_.size(), change).enter(0, heat_);
+  on_.reduce<SoundHeat>(fluid_.size(), change).enter(heat_);
 }
 
 }  // namespace sabo

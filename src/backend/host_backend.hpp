@@ -7,6 +7,7 @@
 #include "backend/body_load_sum.hpp"
 #include "backend/flow_view.hpp"
 #include "backend/host_executor.hpp"
+#include "backend/sweeps/flow_sums.hpp"
 
 namespace sabo {
 
@@ -33,14 +34,15 @@ class HostBackend : public Backend {
   void pressure() override;
   void stress() override;
   void extrapolate_to_boundary() override;
-  FlowExtremes extremes() const override;
+  void choose_step(const StepRule& rule, double longest) override;
+  ChosenStep chosen_step() const override { return step_; }
+  double fastest() const override;
   FlowHealth health() const override;
-  double dissipation() const override;
   const HeatAccount& heat() const override { return heat_; }
-  void predict(double dt) override;
-  void correct(double dt) override;
+  void predict() override;
+  void correct() override;
   void wall_resistance() override;
-  void advance_state(double dt) override;
+  void advance_state() override;
   void update_sleep() override;
   std::size_t asleep_count() const override { return asleep_count_; }
   void set_sound_speed(double c0) override;
@@ -98,6 +100,7 @@ class HostBackend : public Backend {
   std::vector<std::uint32_t> driven_;  ///< fluid particles that an inflow moves, in order
   std::size_t asleep_count_ = 0;       ///< all others
   HeatAccount heat_;
+  ChosenStep step_;
 
   // Results of the last evaluation. Arrays over all particles hold the fluid first.
   std::vector<Sym3<double>> strain_;  ///< eps = grad v + (grad v)^T, 1/s
@@ -120,6 +123,7 @@ class HostBackend : public Backend {
   std::vector<Shift> shift_;             ///< of the last step
 
  private:
+  Fastest find_fastest() const;
   void settle_driven();
   void hold_walls();
   void shift_particles(double dt);

@@ -30,11 +30,12 @@ void HostBackend::find_diffusion_background() {
     over_rows(awake_, threads(), FindDiffusionBackground{view()});
 }
 
-void HostBackend::advance_state(double dt) {
+void HostBackend::advance_state() {
+  const double dt = step_.dt;
   if (model_.particle_shifting > 0) shift_particles(dt);
   const PassClock clock(pass_times_, "density and viscosity");
   const AdvanceState advance{view(), awake_.data(), dt, AdvanceState::caught_up(model_, dt)};
-  on_.reduce<StepHeat>(awake_.size(), advance).enter(dt, heat_);
+  on_.reduce<StepHeat>(awake_.size(), advance).enter(heat_);
   over_rows(driven_, threads(), MoveDriven{view(), dt});
   find_viscosity();
 }

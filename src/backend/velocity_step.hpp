@@ -1,5 +1,6 @@
 #pragma once
 
+#include "backend/chosen_step.hpp"
 #include "backend/flow_view.hpp"
 #include "backend/heat_account.hpp"
 #include "backend/sweeps/flow_sums.hpp"
@@ -17,10 +18,11 @@ struct VelocityView {
   Vec3d* guess;
   T* mass;
   T* drag;
-  double dt;
+  const ChosenStep* step;
 
+  SABO_HD double dt() const { return step->dt; }
   SABO_HD Vec3d pushed(std::size_t i) const {
-    return flow.fluid.velocity[i] + dt * flow.acceleration[i];
+    return flow.fluid.velocity[i] + dt() * flow.acceleration[i];
   }
 };
 
@@ -31,12 +33,12 @@ struct GuessVelocity {
   T* diagonal;
   SABO_HD void operator()(std::size_t k) const {
     const std::size_t i = on.solver.rows[k];
-    const Vec3d g = on.pushed(i) + on.dt * on.flow.fluid.drag[i];
+    const Vec3d g = on.pushed(i) + on.dt() * on.flow.fluid.drag[i];
     on.guess[i] = g;
     on.solver.direction[i] = {T(g.x), T(g.y), T(g.z)};
     on.mass[i] = T(on.flow.fluid.mass[i]);
     on.drag[i] = T(on.flow.wall_drag[i]);
-    diagonal[i] = on.mass[i] + T(on.dt) * (on.conductance_sum[i] + on.drag[i]);
+    diagonal[i] = on.mass[i] + T(on.dt()) * (on.conductance_sum[i] + on.drag[i]);
   }
 };
 
@@ -62,7 +64,7 @@ struct FindResidual {
   SABO_HD void operator()(std::size_t k) const {
     const std::size_t i = on.solver.rows[k];
     const WallShare& wall = on.flow.wall[i];
-    const double carried = wall.share > 0 ? on.dt * on.flow.wall_drag[i] / wall.share : 0;
+    const double carried = wall.share > 0 ? on.dt() * on.flow.wall_drag[i] / wall.share : 0;
     const Vec3d r = on.flow.fluid.mass[i] * (on.pushed(i) - on.guess[i]) + carried * wall.velocity;
     const Quad<T>& q = on.solver.product[i];
     on.solver.residual[i] = {T(r.x) - q.x, T(r.y) - q.y, T(r.z) - q.z};
@@ -75,7 +77,7 @@ struct FindInertia {
   VelocityView<T> on;
   SABO_HD void operator()(std::size_t k, Total& sum) const {
     const std::size_t i = on.solver.rows[k];
-    sum.value += on.flow.fluid.mass[i] + on.dt * on.flow.wall_drag[i];
+    sum.value += on.flow.fluid.mass[i] + on.dt() * on.flow.wall_drag[i];
   }
 };
 
@@ -83,7 +85,7 @@ struct FindInertia {
 struct ViscousHeat {
   double value = 0;
   SABO_HD void join(const ViscousHeat& other) { value += other.value; }
-  SABO_HD void enter(double /*dt*/, HeatAccount& account) const { account.viscosity += value; }
+  SABO_HD void enter(HeatAccount& account) const { account.viscosity += value; }
 };
 
 /// What the solve has left undone, as one change of velocity for all.
@@ -111,9 +113,16 @@ struct TakeVelocity {
     const Vec3d before = on.pushed(i);
     const Vec3d after = on.guess[i] + Vec3d{double(c.x), double(c.y), double(c.z)} + *owed;
     heat.value += 0.5 * on.flow.fluid.mass[i] * dot(before - after, velocity + after);
-    on.flow.fluid.drag[i] = (1 / on.dt) * (after - before);
+    on.flow.fluid.drag[i] = (1 / on.dt()) * (after - before);
     velocity = after;
   }
+};
+
+/// How small the residual has to become, m/s.
+struct FindTolerance {
+  VelocityTolerance tolerance;
+  const ChosenStep* step;
+  SABO_HD double operator()() const { return tolerance.over(*step); }
 };
 
 /// Backward Euler of viscosity and wall resistance with coefficients of the last step:
@@ -142,18 +151,19 @@ class VelocityStep {
 
   /// `multiply(mass, drag, progress)` sets solver.product to (mass + dt K + dt drag)
   /// solver.direction, and solver.curvature; masses in kg, drags of the walls in kg/s. It may
-  /// leave that out once `progress`, where there is one, has ended. `tolerance` in m/s.
+  /// leave that out once `progress`, where there is one, has ended. `step` is where the flow is.
   /// Driven particles keep their velocity; particles in neither list are at rest.
   template <class Multiply>
   ViscousSolve advance(const Executor& on, const FlowView& flow, RowList rows, RowList driven,
-                       double dt, double tolerance, int most_iterations, const Multiply& multiply) {
+                       const ChosenStep* step, const VelocityTolerance& tolerance,
+                       int most_iterations, const Multiply& multiply) {
     const VelocityView<T> view{flow,
                                solver.view(rows, mass_.data()),
                                conductance_sum.data(),
                                guess_.data(),
                                mass_.data(),
                                drag_.data(),
-                               dt};
+                               step};
     on.for_each(rows.count, GuessVelocity<T>{view, solver.diagonal.data()});
     on.for_each(driven.count, AtRow<GiveVelocity<T>>{driven.index, {view}});
     multiply(none_.data(), drag_.data(), nullptr);
@@ -162,8 +172,8 @@ class VelocityStep {
     const auto multiply_all = [&](const SolveProgress<T>* progress) {
       multiply(mass_.data(), drag_.data(), progress);
     };
-    const ViscousSolve outcome =
-        solver.solve(on, rows, mass_.data(), tolerance, most_iterations, multiply_all);
+    const ViscousSolve outcome = solver.solve(
+        on, rows, mass_.data(), FindTolerance{tolerance, step}, most_iterations, multiply_all);
     if (!outcome.converged) return outcome;
     // The coarse correction by the constant vector (Nicolaides 1987), after which the residuals add
     // up to zero. Viscosity within the flow then conserves momentum to rounding, whatever the

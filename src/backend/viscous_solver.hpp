@@ -88,21 +88,24 @@ struct SolveProgress {
   }
 };
 
-/// What ends a solve.
+/// What ends a solve. `tolerance()`, m/s, is asked for where the vectors are.
+template <class Tolerance>
 struct SolveLimits {
-  double size = 0;   ///< of the residual, see ResidualSums
-  double share = 0;  ///< of that of the first one
-  int most = 0;      ///< iterations
+  Tolerance tolerance;  ///< of the residual over the mass, root mean square
+  double rows = 0;      ///< over which it is taken
+  double share = 0;     ///< of the first residual, see ResidualSums
+  int most = 0;         ///< iterations
 };
 
-template <class T>
+template <class T, class Tolerance>
 struct BeginSolve {
-  SolveLimits limits;
+  SolveLimits<Tolerance> limits;
   const ResidualSums* sums;
   SolveProgress<T>* progress;
   SABO_HD void operator()(std::size_t) const {
+    const double tolerance = limits.tolerance();
     SolveProgress<T> begun;
-    begun.enough = larger(limits.size, limits.share * sums->largest());
+    begun.enough = larger(tolerance * tolerance * limits.rows, limits.share * sums->largest());
     begun.most = limits.most;
     begun.take(*sums);
     *progress = begun;
@@ -192,21 +195,21 @@ class ViscousSolver {
             direction.data(), product.data()};
   }
 
-  /// Iterates until no component of the residual over the mass (kg) exceeds `tolerance` (m/s, root
-  /// mean square over `rows`), or what is left of the first one is rounding. `multiply(progress)`
-  /// sets `product` to the matrix times `direction`, and `curvature`; it need not once
-  /// progress->has_ended. One that runs ahead starts as many iterations as the last solve took and
-  /// only then waits to hear of them, and then half as many again: those that are not wanted do
-  /// nothing.
-  template <class Multiply>
-  ViscousSolve solve(const Executor& on, RowList rows, const T* mass, double tolerance, int most,
-                     const Multiply& multiply) {
+  /// Iterates until no component of the residual over the mass (kg) exceeds `tolerance()` (m/s,
+  /// root mean square over `rows`), or what is left of the first one is rounding.
+  /// `multiply(progress)` sets `product` to the matrix times `direction`, and `curvature`; it need
+  /// not once progress->has_ended. One that runs ahead starts as many iterations as the last solve
+  /// took and only then waits to hear of them, and then half as many again: those that are not
+  /// wanted do nothing.
+  template <class Tolerance, class Multiply>
+  ViscousSolve solve(const Executor& on, RowList rows, const T* mass, const Tolerance& tolerance,
+                     int most, const Multiply& multiply) {
     const SolverView<T> vectors = view(rows, mass);
     SolveProgress<T>* progress = progress_.data();
     on.sum_into(rows.count, StartSolve<T>{vectors}, sums_);
-    const SolveLimits limits{tolerance * tolerance * static_cast<double>(rows.count),
-                             least_share * least_share, most};
-    on.for_each(1, BeginSolve<T>{limits, sums_.data(), progress});
+    const SolveLimits<Tolerance> limits{tolerance, static_cast<double>(rows.count),
+                                        least_share * least_share, most};
+    on.for_each(1, BeginSolve<T, Tolerance>{limits, sums_.data(), progress});
     SolveProgress<T> known;
     for (int started = 0, ahead = runs_ahead ? iterations_ : 0;; ++started) {
       if (started >= ahead) {

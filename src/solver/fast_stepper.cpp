@@ -1,7 +1,6 @@
 #include "solver/fast_stepper.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "base/error.hpp"
 
@@ -9,7 +8,6 @@ namespace sabo {
 namespace {
 
 constexpr double sound_decay = 0.98;  // per step, so that one impact is soon forgotten
-constexpr double acceleration_cfl = 0.25;
 constexpr int most_halvings = 20;
 constexpr std::size_t sleep_interval = 16;  // steps
 
@@ -24,7 +22,8 @@ FastStepper::FastStepper(Backend& backend, const FastRule& rule, Domain* domain)
   backend_.near_forces();
   backend_.wall_resistance();
   backend_.near_motion();
-  backend_.advance_state(0);
+  backend_.fix_step(0);
+  backend_.advance_state();
 }
 
 StepReport FastStepper::advance(double longest) {
@@ -38,26 +37,31 @@ StepReport FastStepper::advance(double longest) {
   backend_.wall_resistance();
 
   StepReport report;
-  report.flow = backend_.extremes();
   report.sound_speed = backend_.model().state.c0;
-  report.dt = std::min(longest_step(report.flow), longest);
-  const double gravity = norm(backend_.model().gravity);
+  backend_.choose_step(FastStepRule{rule_.h, rule_.cfl, report.sound_speed}, longest);
   for (int halvings = 0;; ++halvings) {
-    // Without gravity: what the fastest acceleration changes.
-    const double change = report.dt * (gravity > 0 ? gravity : report.flow.acceleration);
-    const ViscousSolve solve = backend_.advance_velocity(
-        report.dt, rule_.viscous_tolerance * change, rule_.most_iterations);
+    const ViscousSolve solve = backend_.advance_velocity(tolerance(), rule_.most_iterations);
     report.iterations += solve.iterations;
     if (solve.converged) break;
     if (halvings == most_halvings)
       throw RunError(
           "the implicit viscosity does not converge; raise numerics.viscous_iterations, "
           "or lower material.viscosity_ratio");
-    report.dt /= 2;
+    backend_.fix_step(backend_.chosen_step().dt / 2);
   }
   backend_.near_motion();
-  backend_.advance_state(report.dt);
+  backend_.advance_state();
+  const ChosenStep step = backend_.chosen_step();
+  report.dt = step.dt;
+  report.flow = step.flow;
   return report;
+}
+
+/// A share of what gravity changes; without gravity of what the greatest acceleration does.
+VelocityTolerance FastStepper::tolerance() const {
+  const double gravity = norm(backend_.model().gravity);
+  if (gravity > 0) return {.rate = rule_.viscous_tolerance * gravity};
+  return {.share = rule_.viscous_tolerance};
 }
 
 void FastStepper::follow_the_flow(double speed) {
@@ -66,13 +70,6 @@ void FastStepper::follow_the_flow(double speed) {
   const double present = backend_.model().state.c0;
   const double next = std::max(wanted, sound_decay * present);
   if (next != present) backend_.set_sound_speed(next);
-}
-
-double FastStepper::longest_step(const FlowExtremes& flow) const {
-  double dt = rule_.cfl * rule_.h / (backend_.model().state.c0 + flow.speed);
-  if (flow.acceleration > 0)
-    dt = std::min(dt, acceleration_cfl * std::sqrt(rule_.h / flow.acceleration));
-  return dt;
 }
 
 }  // namespace sabo

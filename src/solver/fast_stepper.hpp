@@ -26,7 +26,7 @@ class FastStepper : public Stepper {
 
  private:
   void follow_the_flow(double speed);
-  double longest_step(const FlowExtremes& flow) const;
+  VelocityTolerance tolerance() const;
 
   FastRule rule_;
 };

@@ -1,7 +1,5 @@
 #include "solver/paper_stepper.hpp"
 
-#include <algorithm>
-
 namespace sabo {
 
 PaperStepper::PaperStepper(Backend& backend, const TimeStepRule& rule, Domain* domain)
@@ -17,16 +15,12 @@ StepReport PaperStepper::advance(double longest) {
   if (backend_.neighbours_are_stale(half_step)) renew_neighbours();
 
   evaluate();
-  StepReport report;
-  report.flow = backend_.extremes();
-  report.sound_speed = rule_.c0;
-  report.dt = std::min(rule_(report.flow).dt, longest);
-
-  backend_.predict(report.dt);
+  backend_.choose_step(rule_, longest);
+  backend_.predict();
   evaluate();
-  dissipated_ += report.dt * backend_.dissipation();
-  backend_.correct(report.dt);
-  return report;
+  backend_.correct();
+  const ChosenStep step = backend_.chosen_step();
+  return {.dt = step.dt, .flow = step.flow, .sound_speed = rule_.c0};
 }
 
 void PaperStepper::evaluate() {

@@ -48,7 +48,7 @@ class Stepper {
   void start_at(double time) { time_ = time; }
   std::size_t steps() const { return steps_; }
   /// Heat made by viscosity so far, J.
-  double dissipated() const { return dissipated_ + backend_.heat().viscosity; }
+  double dissipated() const { return backend_.heat().viscosity; }
   /// What each body has been given so far, number 1 first: the loads of every step over its time,
   /// N s and N m s. Its difference over an interval by the interval is the mean load.
   const std::vector<BodyLoad>& body_impulses() const { return body_impulses_; }
@@ -60,7 +60,7 @@ class Stepper {
   /// Without the backend and the domain; while no neighbours are due.
   template <class Archive>
   void archive(Archive& a) {
-    a(time_, steps_, dissipated_, body_impulses_);
+    a(time_, steps_, body_impulses_);
   }
 
  protected:
@@ -70,7 +70,6 @@ class Stepper {
   void renew_neighbours();
 
   Backend& backend_;
-  double dissipated_ = 0;  // J, that the backend does not account for
 
  private:
   void advance_inflows(double dt);

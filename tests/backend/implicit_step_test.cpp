@@ -19,6 +19,7 @@ namespace sabo {
 namespace {
 
 using test::add_particle;
+using test::advance_velocity;
 using test::kinetic_energy_of;
 using test::OpenedReference;
 using test::prepare;
@@ -76,9 +77,9 @@ TEST(WallGrip, ShearsTheFlowByAsMuchAsItIsHeld) {
     for (Vec3d& v : backend->fluid().velocity) v = {speed, 0, 0};
     prepare(*backend);
     const double dt = 1e-9;
-    backend->advance_velocity(dt, 1e-9, 10);
+    advance_velocity(*backend, dt, 1e-9, 10);
     backend->near_motion();
-    backend->advance_state(dt);
+    backend->advance_state();
     double greatest = 0;
     for (const double rate : backend->fluid().shear_rate) greatest = std::max(greatest, rate);
     return greatest;
@@ -160,7 +161,7 @@ TEST(ImplicitStep, KeepsMomentumWithoutWalls) {
                                    static_cast<double>(backend->fluid().size()));
     const Vec3d before = momentum_of(backend->fluid());
     // Whatever the solve leaves undone: speeds are about 1 m/s.
-    const ViscousSolve solve = backend->advance_velocity(0.01, 1e-3, 500);
+    const ViscousSolve solve = advance_velocity(*backend, 0.01, 1e-3, 500);
     ASSERT_TRUE(solve.converged && solve.iterations > 0);
     const double tolerance = kind == test::On::reference ? 1e-14 : 1e-8;
     EXPECT_LT(norm(momentum_of(backend->fluid()) - before), tolerance * scale);
@@ -196,7 +197,7 @@ TEST(ImplicitStep, NeverAddsKineticEnergy) {
     }
     prepare(backend);
     const double before = kinetic_energy_of(backend.fluid());
-    const ViscousSolve solve = backend.advance_velocity(std::pow(10, -4 * u(random)), 1e-10, 5000);
+    const ViscousSolve solve = advance_velocity(backend, std::pow(10, -4 * u(random)), 1e-10, 5000);
     ASSERT_TRUE(solve.converged);
     const double heat = backend.heat().viscosity;
     EXPECT_GT(heat, 0);
@@ -235,7 +236,7 @@ TEST(ImplicitStep, WithoutViscosityIsTheExplicitOne) {
     set_viscosity(backend->fluid(), 0);
     prepare(*backend);
     const std::vector<Vec3d> before = backend->fluid().velocity;
-    const ViscousSolve solve = backend->advance_velocity(0.01, 1e-9, 10);
+    const ViscousSolve solve = advance_velocity(*backend, 0.01, 1e-9, 10);
     EXPECT_TRUE(solve.converged);
     EXPECT_EQ(solve.iterations, 0);
     EXPECT_NEAR(backend->heat().viscosity, 0, 1e-9);
@@ -257,7 +258,7 @@ TEST(ImplicitStep, LeavesTheStateAsItWasWhenItFails) {
     set_viscosity(backend->fluid(), 1e4);
     prepare(*backend);
     const std::vector<Vec3d> velocity = backend->fluid().velocity, drag = backend->fluid().drag;
-    const ViscousSolve solve = backend->advance_velocity(1, 1e-9, 2);
+    const ViscousSolve solve = advance_velocity(*backend, 1, 1e-9, 2);
     EXPECT_FALSE(solve.converged);
     EXPECT_EQ(solve.iterations, 2);
     EXPECT_EQ(backend->fluid().velocity, velocity);

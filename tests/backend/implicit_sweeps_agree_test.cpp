@@ -6,6 +6,7 @@
 #include "support/backends.hpp"
 #include "support/clouds.hpp"
 #include "support/scenes.hpp"
+#include "support/viscous_step.hpp"
 #include <gtest/gtest.h>
 
 #include "backend/cpu/cpu_backend.hpp"
@@ -88,12 +89,12 @@ Step step_of(B&& backend, Cloud cloud) {
   backend.near_forces();
   backend.wall_resistance();
   keep_forces(backend, backend.fluid(), backend.accelerations(), step);
-  const ViscousSolve solve = backend.advance_velocity(2e-3, 1e-8, 400);
+  const ViscousSolve solve = test::advance_velocity(backend, 2e-3, 1e-8, 400);
   EXPECT_TRUE(solve.converged);
   step.heat = backend.heat().viscosity;
   backend.near_motion();
   keep_motion(backend, backend.fluid(), backend.density_rates(), step);
-  backend.advance_state(2e-3);
+  backend.advance_state();
   const Particles& fluid = backend.fluid();
   for (std::size_t i = 0; i < fluid.size(); ++i) {
     const std::uint32_t id = fluid.id[i];

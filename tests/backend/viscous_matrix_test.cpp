@@ -16,6 +16,7 @@
 namespace sabo {
 namespace {
 
+using test::advance_velocity;
 using test::kinetic_energy_of;
 using test::OpenedReference;
 using test::prepare;
@@ -119,7 +120,7 @@ TEST(ViscousMatrix, IsThatOfItsPower) {
   prepare(backend);
   const double dt = 0.01;
   const std::vector<double> expected = dense_step(backend, backend.fluid(), dt);
-  ASSERT_TRUE(backend.advance_velocity(dt, 1e-12, 1000).converged);
+  ASSERT_TRUE(advance_velocity(backend, dt, 1e-12, 1000).converged);
   for (std::size_t i = 0; i < backend.fluid().size(); ++i)
     for (std::size_t c = 0; c < 3; ++c)
       ASSERT_NEAR(component(backend.fluid().velocity[i], c), expected[3 * i + c], 1e-9);
@@ -137,7 +138,7 @@ double viscous_power(const test::On kind, const Velocity& at) {
   for (std::size_t i = 0; i < fluid.size(); ++i) fluid.velocity[i] = at(fluid.position[i]);
   prepare(*backend);
   const double before = kinetic_energy_of(fluid), dt = 1e-3;  // 0.01 of the viscous time dp^2/nu
-  EXPECT_TRUE(backend->advance_velocity(dt, 1e-9, 500).converged);
+  EXPECT_TRUE(advance_velocity(*backend, dt, 1e-9, 500).converged);
   return (before - kinetic_energy_of(backend->fluid())) / dt;
 }
 

@@ -43,7 +43,8 @@ struct Problem {
       }
       solver.curvature[0] = sum;
     };
-    return solver.solve(on, {rows.data(), 3}, mass.data(), tolerance, most, multiply);
+    return solver.solve(
+        on, {rows.data(), 3}, mass.data(), [tolerance] { return tolerance; }, most, multiply);
   }
 };
 

@@ -98,6 +98,14 @@ TEST(TimeStepRule, TakesTheSmallestOfThreeLimits) {
   const TimeStep by_viscosity = rule({0, 0, 1000});
   EXPECT_EQ(by_viscosity.limit, StepLimit::viscous);
   EXPECT_DOUBLE_EQ(by_viscosity.dt, 0.6 * 4 / 1000);
+  EXPECT_DOUBLE_EQ(rule.longest({0, 0, 1000}), 0.6 * 4 / 1000);
+}
+
+TEST(FastStepRule, TakesTheSmallerOfTwoLimits) {
+  const FastStepRule rule{2.0, 0.2, 42.0};
+  EXPECT_DOUBLE_EQ(rule.longest({0, 0, 0}), 0.2 * 2 / 42);
+  EXPECT_DOUBLE_EQ(rule.longest({8, 0, 1e9}), 0.2 * 2 / 50);
+  EXPECT_DOUBLE_EQ(rule.longest({8, 20000, 0}), 0.25 * 0.01);  // sqrt(2/20000)
 }
 
 }  // namespace

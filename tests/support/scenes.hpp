@@ -56,6 +56,17 @@ inline std::unique_ptr<Stepper> stepper_of(Method method, Backend& backend,
   return make_stepper(default_numerics(method), backend, domain);
 }
 
+/// Power that viscosity takes at the last evaluation by the method of the paper, W: by the heat of
+/// a step of 1e-12 s. Of a flow that has had no other step.
+inline double dissipated_power(Backend& backend) {
+  constexpr double dt = 1e-12;
+  const double before = backend.heat().viscosity;
+  backend.fix_step(dt);
+  backend.predict();
+  backend.correct();
+  return (backend.heat().viscosity - before) / dt;
+}
+
 inline constexpr Method both_methods[] = {Method::fast, Method::paper};
 
 }  // namespace sabo::test

@@ -34,6 +34,13 @@ inline void prepare(Backend& backend) {
   backend.wall_resistance();
 }
 
+/// The solve by itself, to a residual of `tolerance` (m/s).
+inline ViscousSolve advance_velocity(Backend& backend, double dt, double tolerance,
+                                     int most_iterations) {
+  backend.fix_step(dt);
+  return backend.advance_velocity({.rate = tolerance / dt}, most_iterations);
+}
+
 inline double kinetic_energy_of(const Particles& fluid) {
   double sum = 0;
   for (std::size_t i = 0; i < fluid.size(); ++i)

@@ -24,7 +24,7 @@ class CpuBackend : public HostBackend {
   void momentum() override;
   void wall_pressure() override;
   void near_forces() override;
-  ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) override;
+  ViscousSolve advance_velocity(const VelocityTolerance& tolerance, int most_iterations) override;
   void near_motion() override;
   void set_sound_speed(double c0) override;
 
@@ -41,7 +41,7 @@ class CpuBackend : public HostBackend {
   void pack_stress();
   void pack_near_motion();
   void find_half_gradients();
-  void multiply(const float* mass, const float* drag, double dt);
+  void multiply(const float* mass, const float* drag);
 
   const PairSweeps& sweeps_;
   double skin_;

@@ -110,7 +110,7 @@ void CpuBackend::find_half_gradients() {
 }
 
 /// solver.product and solver.curvature of solver.direction, see VelocityStep::advance().
-void CpuBackend::multiply(const float* mass, const float* drag, double dt) {
+void CpuBackend::multiply(const float* mass, const float* drag) {
   pass_times_["viscous solve"].pairs += near_.size();
   auto& solver = velocity_step_.solver;
   const auto pack_direction = [&](std::size_t i) {
@@ -126,25 +126,25 @@ void CpuBackend::multiply(const float* mass, const float* drag, double dt) {
   dots_.assign((awake_.size() + sweep_block - 1) / sweep_block, 0);
   parallel_blocks(awake_.size(), sweep_block, threads(), [&](Range range) {
     ViscousProductTask task{
-        &scale_, &near_, awake_.data(), range.first,           range.last, viscous_.data(),
-        mass,    drag,   float(dt),     solver.product.data(), 0};
+        &scale_, &near_, awake_.data(),   range.first,           range.last, viscous_.data(),
+        mass,    drag,   float(step_.dt), solver.product.data(), 0};
     sweeps_.viscous_product(task);
     dots_[range.first / sweep_block] = task.dot;
   });
   solver.curvature[0] = {std::accumulate(dots_.begin(), dots_.end(), 0.0)};
 }
 
-ViscousSolve CpuBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
+ViscousSolve CpuBackend::advance_velocity(const VelocityTolerance& tolerance, int most_iterations) {
   const PassClock clock(pass_times_, "viscous solve");
   over(fluid_.size(), threads(),
        [&](std::size_t i) { viscous_[i] = {flow_[i].x, flow_[i].y, flow_[i].z, 0, 0, 0, {}, 0}; });
   const auto product = [&](const float* mass, const float* drag, const SolveProgress<float>*) {
-    multiply(mass, drag, dt);
+    multiply(mass, drag);
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
-                                                      {driven_.data(), driven_.size()}, dt,
+                                                      {driven_.data(), driven_.size()}, &step_,
                                                       tolerance, most_iterations, product);
-  if (outcome.converged) velocity_step_.heat[0].enter(dt, heat_);
+  if (outcome.converged) velocity_step_.heat[0].enter(heat_);
   return outcome;
 }
 

@@ -25,7 +25,8 @@ namespace sabo {
 /// fluid() and boundary() are copies on the host. They are fetched when they are asked for after a
 /// change on the device, all fields at once, and handed back by find_neighbours() if they have been
 /// asked for since the last change. So a reference is good until the next sweep: ask again then.
-/// Per step only sums come to the host, the forces on particles of bodies, and driven particles.
+/// Per step only its length and sums come to the host, the forces on particles of bodies, and
+/// driven particles.
 template <class Executor>
 class DeviceBackend : public Backend {
  public:
@@ -63,25 +64,25 @@ class DeviceBackend : public Backend {
   void wall_pressure() override;
   void near_forces() override;
   void wall_resistance() override;
-  ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) override;
+  void choose_step(const StepRule& rule, double longest) override;
+  ChosenStep chosen_step() const override;
+  ViscousSolve advance_velocity(const VelocityTolerance& tolerance, int most_iterations) override;
   void near_motion() override;
-  void advance_state(double dt) override;
+  void advance_state() override;
   void update_sleep() override;
   std::size_t asleep_count() const override {
     return fluid_.size() - awake_.size() - driven_.size();
   }
   void set_sound_speed(double c0) override;
 
-  FlowExtremes extremes() const override;
   double fastest() const override;
   FlowHealth health() const override;
-  double dissipation() const override;
   const HeatAccount& heat() const override;
   const std::vector<BodyLoad>& body_loads() const override { return fetched_loads().loads(); }
   const std::vector<BodyForce>& body_forces() const override { return fetched_loads().forces(); }
 
-  void predict(double dt) override;
-  void correct(double dt) override;
+  void predict() override;
+  void correct() override;
   const std::vector<Vec3d>& accelerations() const override;
   const std::vector<double>& density_rates() const override;
   std::size_t device_bytes() const override;
@@ -147,9 +148,9 @@ class DeviceBackend : public Backend {
   const StateSums& state_sums() const;
   /// Into the account; f is to be summed up.
   template <class Heat, class F>
-  void enter(std::size_t count, const F& f, double dt, Array<Heat>& heat) {
+  void enter(std::size_t count, const F& f, Array<Heat>& heat) {
     on_.sum_into(count, f, heat);
-    on_.for_each(1, EnterHeat<Heat>{heat.data(), dt, account_.data()});
+    on_.for_each(1, EnterHeat<Heat>{heat.data(), account_.data()});
   }
 
   CloudBox box_of(const DeviceParticles<Executor>& set) const;
@@ -207,6 +208,11 @@ class DeviceBackend : public Backend {
   Array<double> density_rate_, diffusion_rate_;
   Array<Vec3d> acceleration_;
   Array<MotionRecord> motion_;
+
+  Array<Fastest> fastest_;  // one, as the next
+  Array<ChosenStep> step_;
+  typename Executor::template StagingArray<ChosenStep> step_copy_;
+  std::optional<typename Executor::Moment> step_then_;  // when step_copy_ is there
 
   // Of the method of the paper; empty until its sweeps run.
   Array<Sym3<double>> stress_;

@@ -71,7 +71,7 @@ void DeviceBackend<Executor>::wall_resistance() {
 }
 
 template <class Executor>
-ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double tolerance,
+ViscousSolve DeviceBackend<Executor>::advance_velocity(const VelocityTolerance& tolerance,
                                                        int most_iterations) {
   const Clock clock(*this, "viscous solve");
   auto& solver = velocity_step_.solver;
@@ -83,15 +83,15 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(double dt, double toleran
       sweep_over(awake_,
                  HalfGradientSweep{pairs, velocity_step_.inverse_root.data(), half_gradient});
     const ViscousProduct product{pairs, awake_.data(), half_gradient,        mass,
-                                 drag,  float(dt),     solver.product.data()};
+                                 drag,  step_.data(),  solver.product.data()};
     on_.sweep_and_sum(awake_.size(), product, solver.curvature);
   };
-  const ViscousSolve outcome = velocity_step_.advance(on_, view(), awake(), driven(), dt, tolerance,
-                                                      most_iterations, multiply);
+  const ViscousSolve outcome = velocity_step_.advance(on_, view(), awake(), driven(), step_.data(),
+                                                      tolerance, most_iterations, multiply);
   pass_times_["viscous solve"].pairs +=
       (1 + static_cast<std::uint64_t>(outcome.iterations)) * swept_.fluid;
   if (outcome.converged)
-    on_.for_each(1, EnterHeat<ViscousHeat>{velocity_step_.heat.data(), dt, account_.data()});
+    on_.for_each(1, EnterHeat<ViscousHeat>{velocity_step_.heat.data(), account_.data()});
   fluid_changed();
   return outcome;
 }
@@ -126,11 +126,12 @@ void DeviceBackend<Executor>::shift_particles(double dt) {
 }
 
 template <class Executor>
-void DeviceBackend<Executor>::advance_state(double dt) {
+void DeviceBackend<Executor>::advance_state() {
+  const double dt = chosen_step().dt;
   if (model_.particle_shifting > 0) shift_particles(dt);
   const Clock clock(*this, "density and viscosity");
   const AdvanceState advance{view(), awake_.data(), dt, AdvanceState::caught_up(model_, dt)};
-  enter(awake_.size(), advance, dt, step_heat_);
+  enter(awake_.size(), advance, step_heat_);
   over_driven(MoveDriven{view(), dt});
   std::visit(
       [&](const auto& law) {
@@ -162,7 +163,7 @@ void DeviceBackend<Executor>::set_sound_speed(double c0) {
   const Tait former = model_.state;
   model_.state.c0 = c0;
   const ChangeSoundSpeed change{former, model_.state, fluid_.view(), !model_.tension_at_surface};
-  enter(fluid_.size(), change, 0, sound_heat_);
+  enter(fluid_.size(), change, sound_heat_);
   scale_.set_sound_speed(model_);
   fluid_changed();
 }

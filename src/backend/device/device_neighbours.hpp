@@ -33,6 +33,7 @@ DeviceBackend<Executor>::DeviceBackend(const FlowModel& model, const Executor& o
   on_.upload(std::vector<HalfSpace>{HalfSpace(model.h, model.dimension, model.spacing)},
              half_space_);
   on_.zero(account_, 1);
+  on_.zero(step_, 1);
   velocity_step_.solver.runs_ahead = true;
 }
 

@@ -119,16 +119,33 @@ BodyLoadSum& DeviceBackend<Executor>::fetched_loads() const {
   return body_loads_;
 }
 
+/// The sweeps go on with what is on the device; the host gets a copy, which it does not wait for.
 template <class Executor>
-FlowExtremes DeviceBackend<Executor>::extremes() const {
+void DeviceBackend<Executor>::choose_step(const StepRule& rule, double longest) {
   const Clock clock(*this, "checks and sums");
-  Fastest fastest;
-  for (const RowList& rows : {awake(), driven()}) {
-    const FindFastest find{rows.index,           has_neighbours_.data(),  fluid_.velocity.data(),
-                           acceleration_.data(), fluid_.viscosity.data(), fluid_.density.data()};
-    if (rows.count > 0) fastest.join(on_.template reduce<Fastest>(rows.count, find));
-  }
-  return fastest.extremes();
+  const FindFastest find{awake(),
+                         driven(),
+                         has_neighbours_.data(),
+                         fluid_.velocity.data(),
+                         acceleration_.data(),
+                         fluid_.viscosity.data(),
+                         fluid_.density.data()};
+  on_.sum_into(awake_.size() + driven_.size(), find, fastest_);
+  std::visit(
+      [&](const auto& by) {
+        using Choose = ChooseStep<std::decay_t<decltype(by)>>;
+        on_.for_each(1, Choose{by, longest, fastest_.data(), step_.data()});
+      },
+      rule);
+  on_.start_download(step_, step_copy_);
+  step_then_.emplace(on_.now());
+}
+
+template <class Executor>
+ChosenStep DeviceBackend<Executor>::chosen_step() const {
+  if (!step_then_) return {};
+  on_.await(*step_then_);
+  return *step_copy_.data();
 }
 
 template <class Executor>
@@ -164,40 +181,26 @@ const HeatAccount& DeviceBackend<Executor>::heat() const {
 }
 
 template <class Executor>
-double DeviceBackend<Executor>::dissipation() const {
-  const Clock clock(*this, "checks and sums");
-  if (pressure_power_.size() != fluid_.size()) return 0;  // before the first evaluation
-  const FindDissipation find{model_,
-                             fluid_.position.data(),
-                             fluid_.velocity.data(),
-                             acceleration_.data(),
-                             fluid_.mass.data(),
-                             fluid_.driven.data(),
-                             pressure_power_.data()};
-  return on_.template reduce<Total>(fluid_.size(), find).value;
-}
-
-template <class Executor>
-void DeviceBackend<Executor>::predict(double dt) {
+void DeviceBackend<Executor>::predict() {
   const Clock clock(*this, "integration");
   on_.copy(fluid_.position, start_position_);
   on_.copy(fluid_.velocity, start_velocity_);
   on_.copy(fluid_.density, start_density_);
   on_.copy(boundary_.density, start_boundary_density_);
-  on_.for_each(fluid_.size(), PredictFluid{view(), 0.5 * dt});
-  on_.for_each(boundary_.size(), PredictBoundary{view(), 0.5 * dt});
+  on_.for_each(fluid_.size(), PredictFluid{view(), step_.data()});
+  on_.for_each(boundary_.size(), PredictBoundary{view(), step_.data()});
   fluid_changed();
   boundary_copy_.outdate();
 }
 
 template <class Executor>
-void DeviceBackend<Executor>::correct(double dt) {
+void DeviceBackend<Executor>::correct() {
   const Clock clock(*this, "integration");
-  enter(fluid_.size(), FindExplicitHeat{view()}, dt, explicit_heat_);
+  enter(fluid_.size(), FindExplicitHeat{view(), step_.data()}, explicit_heat_);
   const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
                         start_boundary_density_.data()};
-  on_.for_each(fluid_.size(), CorrectFluid{view(), start, dt});
-  on_.for_each(boundary_.size(), CorrectBoundary{view(), start, dt});
+  on_.for_each(fluid_.size(), CorrectFluid{view(), start, step_.data()});
+  on_.for_each(boundary_.size(), CorrectBoundary{view(), start, step_.data()});
   fluid_changed();
   boundary_copy_.outdate();
 }

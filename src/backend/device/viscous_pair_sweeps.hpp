@@ -1,5 +1,6 @@
 #pragma once
 
+#include "backend/chosen_step.hpp"
 #include "backend/device/pair_sweeps.hpp"
 #include "backend/sweeps/flow_sums.hpp"
 #include "backend/viscous_solver.hpp"
@@ -74,7 +75,7 @@ struct ViscousProduct {
   const VelocityGradient<float>* half_gradient;  // may be none
   const float* mass;
   const float* drag;
-  float dt;
+  const ChosenStep* step;
   Quad<float>* q;
 
   struct Sums {
@@ -100,6 +101,7 @@ struct ViscousProduct {
   SABO_HD void finish(std::size_t place, const Sums& sums, Total& sum) const {
     if (on.is_needless()) return;
     const std::size_t i = rows[place];
+    const auto dt = static_cast<float>(step->dt);
     const Quad<float> mine = on.p[i];
     const Vec3f flow = Vec3f{drag[i] * mine.x, drag[i] * mine.y, drag[i] * mine.z} + sums.flow;
     const Quad<float> result{mass[i] * mine.x + dt * flow.x, mass[i] * mine.y + dt * flow.y,

@@ -20,7 +20,7 @@ class ReferenceBackend : public HostBackend {
   void momentum() override;
   void wall_pressure() override;
   void near_forces() override;
-  ViscousSolve advance_velocity(double dt, double tolerance, int most_iterations) override;
+  ViscousSolve advance_velocity(const VelocityTolerance& tolerance, int most_iterations) override;
   void near_motion() override;
 
  protected:

@@ -64,7 +64,8 @@ void ReferenceBackend::near_forces() {
   load_bodies_by_pressure();
 }
 
-ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int most_iterations) {
+ViscousSolve ReferenceBackend::advance_velocity(const VelocityTolerance& tolerance,
+                                                int most_iterations) {
   const double rho0 = model_.state.rho0, two_point_scale = model_.two_point_scale();
   auto& solver = velocity_step_.solver;
   std::vector<VelocityGradient<double>> gradients(fluid_.size());  // halves
@@ -98,16 +99,16 @@ ViscousSolve ReferenceBackend::advance_velocity(double dt, double tolerance, int
       over_pairs(i, [&](std::size_t j, double a, const Vec3d& v, const Vec3d& x) {
         flow += a * (v + transposed_times(gradients[i], x) + transposed_times(gradients[j], x));
       });
-      const Vec3d q = masses[i] * Vec3d{p.x, p.y, p.z} + dt * flow;
+      const Vec3d q = masses[i] * Vec3d{p.x, p.y, p.z} + step_.dt * flow;
       solver.product[i] = {q.x, q.y, q.z};
       sum.join({p.x * q.x + p.y * q.y + p.z * q.z});
     }
     solver.curvature[0] = sum;
   };
   const ViscousSolve outcome = velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
-                                                      {driven_.data(), driven_.size()}, dt,
+                                                      {driven_.data(), driven_.size()}, &step_,
                                                       tolerance, most_iterations, multiply);
-  if (outcome.converged) velocity_step_.heat[0].enter(dt, heat_);
+  if (outcome.converged) velocity_step_.heat[0].enter(heat_);
   return outcome;
 }
 

@@ -3,6 +3,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "backend/chosen_step.hpp"
 #include "backend/flow_view.hpp"
 #include "math/scalar.hpp"
 #include "physics/pair/strain_rate.hpp"
@@ -77,8 +78,9 @@ struct StepStart {
 /// Half a step with the current rates.
 struct PredictFluid {
   FlowView flow;
-  double half_step;
+  const ChosenStep* step;
   SABO_HD void operator()(std::size_t i) const {
+    const double half_step = 0.5 * step->dt;
     flow.fluid.position[i] += half_step * flow.fluid.velocity[i];
     flow.fluid.velocity[i] += half_step * flow.acceleration[i];
     flow.fluid.density[i] += half_step * flow.density_rate[i];
@@ -86,10 +88,10 @@ struct PredictFluid {
 };
 struct PredictBoundary {
   FlowView flow;
-  double half_step;
+  const ChosenStep* step;
   SABO_HD void operator()(std::size_t b) const {
     double& density = flow.boundary.density[b];
-    density = larger(density + half_step * flow.density_rate[flow.fluid_count + b],
+    density = larger(density + 0.5 * step->dt * flow.density_rate[flow.fluid_count + b],
                      flow.model.state.rho0);
   }
 };
@@ -105,8 +107,9 @@ SABO_HD inline double advanced_density(double start, double middle, double rate,
 struct CorrectFluid {
   FlowView flow;
   StepStart start;
-  double dt;
+  const ChosenStep* step;
   SABO_HD void operator()(std::size_t i) const {
+    const double dt = step->dt;
     const Vec3d velocity = start.velocity[i] + dt * flow.acceleration[i];
     flow.fluid.position[i] = start.position[i] + (0.5 * dt) * (start.velocity[i] + velocity);
     flow.fluid.velocity[i] = velocity;
@@ -119,11 +122,11 @@ struct CorrectFluid {
 struct CorrectBoundary {
   FlowView flow;
   StepStart start;
-  double dt;
+  const ChosenStep* step;
   SABO_HD void operator()(std::size_t b) const {
     double& density = flow.boundary.density[b];
     density = larger(advanced_density(start.boundary_density[b], density,
-                                      flow.density_rate[flow.fluid_count + b], dt),
+                                      flow.density_rate[flow.fluid_count + b], step->dt),
                      flow.model.state.rho0);
   }
 };

@@ -2,10 +2,10 @@
 
 #include <cmath>
 
+#include "backend/chosen_step.hpp"
 #include "backend/flow_view.hpp"
 #include "backend/heat_account.hpp"
 #include "math/scalar.hpp"
-#include "physics/time_step.hpp"
 
 // Sums and extremes over particles: f(k, sum) adds the k-th, join() adds what others have summed.
 // Comparisons are such that a NaN is no extreme.
@@ -26,20 +26,35 @@ struct Fastest {
     acceleration2 = larger(other.acceleration2, acceleration2);
     viscosity = larger(other.viscosity, viscosity);
   }
-  FlowExtremes extremes() const { return {std::sqrt(speed2), std::sqrt(acceleration2), viscosity}; }
+  SABO_HD FlowExtremes extremes() const {
+    return {std::sqrt(speed2), std::sqrt(acceleration2), viscosity};
+  }
 };
+/// Over the particles of two lists, those of the second counting from the last of the first.
 struct FindFastest {
-  const std::uint32_t* rows;
+  RowList awake, driven;
   const char* has_neighbours;
   const Vec3d* velocity;
   const Vec3d* acceleration;
   const double* viscosity;
   const double* density;
   SABO_HD void operator()(std::size_t k, Fastest& sum) const {
-    const std::size_t i = rows[k];
+    const std::size_t i = k < awake.count ? awake.index[k] : driven.index[k - awake.count];
     if (!has_neighbours[i]) return;
     sum.join({dot(velocity[i], velocity[i]), dot(acceleration[i], acceleration[i]),
               viscosity[i] / density[i]});
+  }
+};
+
+template <class Rule>
+struct ChooseStep {
+  Rule rule;
+  double longest;  ///< that it may be, s
+  const Fastest* fastest;
+  ChosenStep* step;
+  SABO_HD void operator()(std::size_t) const {
+    const FlowExtremes flow = fastest->extremes();
+    *step = {flow, smaller(longest, rule.longest(flow))};
   }
 };
 
@@ -67,45 +82,36 @@ struct FindCondition {
   }
 };
 
-/// What the forces between particles take from the motion, less what pressure takes: viscosity
-/// within the flow and at the walls, whatever the operator; none of driven particles. W.
-struct FindDissipation {
-  FlowModel model;
-  const Vec3d* position;
-  const Vec3d* velocity;
-  const Vec3d* acceleration;
-  const double* mass;
-  const std::uint16_t* driven;
-  const double* pressure_power;
-  SABO_HD void operator()(std::size_t i, Total& sum) const {
-    if (driven[i] != 0) return;
-    const Vec3d between = acceleration[i] - model.body_force(position[i]);
-    sum.value += mass[i] * (pressure_power[i] - dot(velocity[i], between));
-  }
-};
-
-/// Of the explicit method: what density diffusion and pressure between flow and walls take from
-/// motion and compression; none of driven particles. W.
+/// Of the explicit method, over a step: what viscosity, density diffusion and pressure between flow
+/// and walls take from motion and compression; none of driven particles. J.
 struct ExplicitHeat {
-  double diffusion = 0, walls = 0;
+  double viscosity = 0, diffusion = 0, walls = 0;
   SABO_HD void join(const ExplicitHeat& other) {
+    viscosity += other.viscosity;
     diffusion += other.diffusion;
     walls += other.walls;
   }
-  SABO_HD void enter(double dt, HeatAccount& account) const {
-    account.numerical.density_diffusion += dt * diffusion;
-    account.numerical.walls += dt * walls;
+  SABO_HD void enter(HeatAccount& account) const {
+    account.viscosity += viscosity;
+    account.numerical.density_diffusion += diffusion;
+    account.numerical.walls += walls;
   }
 };
 struct FindExplicitHeat {
   FlowView flow;
+  const ChosenStep* step;
   SABO_HD void operator()(std::size_t i, ExplicitHeat& sum) const {
     const ParticleView& fluid = flow.fluid;
     if (fluid.driven[i] != 0) return;
+    // What the forces between particles take from the motion, less what pressure takes: viscosity
+    // within the flow and at the walls, whatever the operator; with moving walls their work too.
+    const Vec3d between = flow.acceleration[i] - flow.model.body_force(fluid.position[i]);
+    const double by_viscosity = flow.pressure_power[i] - dot(fluid.velocity[i], between);
     const double density = fluid.density[i];
-    sum.diffusion -=
-        fluid.mass[i] * fluid.pressure[i] / (density * density) * flow.diffusion_rate[i];
-    sum.walls += fluid.mass[i] * flow.wall_heat[i];
+    const double mass = step->dt * fluid.mass[i];
+    sum.viscosity += mass * by_viscosity;
+    sum.diffusion -= mass * fluid.pressure[i] / (density * density) * flow.diffusion_rate[i];
+    sum.walls += mass * flow.wall_heat[i];
   }
 };
 
@@ -113,9 +119,7 @@ struct FindExplicitHeat {
 struct SoundHeat {
   double value = 0;
   SABO_HD void join(const SoundHeat& other) { value += other.value; }
-  SABO_HD void enter(double /*dt*/, HeatAccount& account) const {
-    account.numerical.sound_speed += value;
-  }
+  SABO_HD void enter(HeatAccount& account) const { account.numerical.sound_speed += value; }
 };
 
 /// Densities for another speed of sound.

@@ -113,7 +113,7 @@ SABO_HD inline double held_to_places(const FlowView& flow, double density, std::
   return density > most ? density + catch_up * (most - density) : density;
 }
 
-/// What the scheme takes from the energy of the flow: artificial viscosity in W, the others in J.
+/// What the scheme takes from the energy of the flow over a step, J.
 struct StepHeat {
   double artificial = 0, diffusion = 0, hold = 0, shifting = 0, walls = 0;
   SABO_HD void join(const StepHeat& other) {
@@ -123,8 +123,8 @@ struct StepHeat {
     shifting += other.shifting;
     walls += other.walls;
   }
-  SABO_HD void enter(double dt, HeatAccount& account) const {
-    account.numerical.artificial_viscosity += dt * artificial;
+  SABO_HD void enter(HeatAccount& account) const {
+    account.numerical.artificial_viscosity += artificial;
     account.numerical.density_diffusion += diffusion;
     account.numerical.density_hold += hold;
     account.numerical.shifting += shifting;
@@ -158,7 +158,7 @@ struct AdvanceState {
     fluid.density[i] = held;
     const double mass = fluid.mass[i];
     const double artificial = flow.model.artificial_viscosity > 0 ? flow.artificial_heat[i] : 0;
-    sum.artificial += mass * artificial;
+    sum.artificial += mass * dt * artificial;
     const double per_density = borne_mean(state, before, moved, borne);
     sum.diffusion -= mass * per_density * dt * flow.diffusion_rate[i];
     // Between two particles of the fluid the work of pressure is found again as compression, but
