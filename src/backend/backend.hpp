@@ -14,6 +14,7 @@
 #include "backend/viscous_solve.hpp"
 #include "base/archive.hpp"
 #include "particles/boundary_change.hpp"
+#include "particles/particle_rows.hpp"
 #include "particles/places.hpp"
 
 namespace sabo {
@@ -68,6 +69,14 @@ class Backend {
   /// Takes boundary particles out and adds others, where they are; as a change from outside.
   virtual void change_boundary(const BoundaryChange& change) = 0;
 
+  /// Lets a function change the fluid of some rows, sorted, as they are in fluid(); what it appends
+  /// comes last. As a change from outside.
+  virtual void change_rows(const ParticleRows& rows,
+                           const std::function<void(Particles&)>& change) = 0;
+  /// Takes the fluid of some rows out; likewise.
+  virtual Particles take_out(const ParticleRows& rows) = 0;
+  /// Rows of the driven particles, while none are due to change.
+  virtual ParticleRows driven_rows() const = 0;
   /// Lets a function change place and velocity of the driven particles, all of which are among
   /// those that it is given; neighbours need not be found anew.
   virtual void change_driven(const std::function<void(Particles&)>& change) = 0;

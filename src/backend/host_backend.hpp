@@ -26,6 +26,12 @@ class HostBackend : public Backend {
   Places places() override { return fluid_; }
   Particles& boundary() override { return boundary_; }
   void change_boundary(const BoundaryChange& change) override { change.apply_to(boundary_); }
+  void change_rows(const ParticleRows& rows,
+                   const std::function<void(Particles&)>& change) override {
+    sabo::change_rows(fluid_, rows, change);
+  }
+  Particles take_out(const ParticleRows& rows) override { return sabo::take_out(fluid_, rows); }
+  ParticleRows driven_rows() const override { return driven_; }
   void change_driven(const std::function<void(Particles&)>& change) override { change(fluid_); }
   std::size_t fluid_count() const override { return fluid_.size(); }
   std::size_t boundary_count() const override { return boundary_.size(); }

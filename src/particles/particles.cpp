@@ -26,6 +26,13 @@ void Particles::permute(const std::vector<std::uint32_t>& order) {
 #undef SABO_PERMUTE_FIELD
 }
 
+void Particles::put(const Particles& source, const std::vector<std::uint32_t>& rows) {
+#define SABO_PUT_FIELD(type, name, unit, meaning, is_shown) \
+  for (std::size_t k = 0; k < rows.size(); ++k) name[rows[k]] = source.name[k];
+  SABO_PARTICLE_FIELDS(SABO_PUT_FIELD)
+#undef SABO_PUT_FIELD
+}
+
 void Particles::append(const Particles& source, const std::vector<std::uint32_t>& rows) {
 #define SABO_APPEND_FIELD(type, name, unit, meaning, is_shown) \
   for (const std::uint32_t row : rows) name.push_back(source.name[row]);

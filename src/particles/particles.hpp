@@ -43,6 +43,9 @@ struct Particles {
   /// Row k of the result is row order[k] of this set; `order` may leave rows out.
   void permute(const std::vector<std::uint32_t>& order);
 
+  /// Row rows[k] becomes row k of another set, which has as many.
+  void put(const Particles& source, const std::vector<std::uint32_t>& rows);
+
   /// Appends the given rows of another set.
   void append(const Particles& source, const std::vector<std::uint32_t>& rows);
   /// Appends all of another set.

@@ -16,6 +16,18 @@ Domain::Domain(Ground& ground, const std::vector<InflowPlan>& inflows, std::uint
     inflows_.emplace_back(plan, static_cast<std::uint16_t>(inflows_.size() + 1));
 }
 
+ParticleRows Domain::rows_at_inflows(Backend& backend) const {
+  ParticleRows rows = backend.driven_rows();
+  const std::span<const Vec3d> positions = backend.positions();
+  for (std::uint32_t i = 0; i < positions.size(); ++i)
+    if (std::ranges::any_of(
+            inflows_, [&](const Inflow& inflow) { return inflow.may_be_in_the_way(positions[i]); }))
+      rows.push_back(i);
+  std::sort(rows.begin(), rows.end());
+  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  return rows;
+}
+
 void Domain::advance_inflows(Particles& fluid, const Tait& state, double time, double dt) {
   for (Inflow& inflow : inflows_) {
     const Inflow::Change change = inflow.advance(fluid, state, time, dt, next_id_);
@@ -30,22 +42,18 @@ void Domain::update(Backend& backend) {
   const int threads = backend.model().threads;
   over(positions.size(), host_threads(threads),
        [&](std::size_t i) { places[i] = place_of(positions[i]); });
-  std::vector<std::uint32_t> staying, leaving;
-  std::vector<Sunk> sunk;
-  staying.reserve(places.size());
+  ParticleRows leaving, sunk;
+  std::vector<Vec3d> ways_out;  // m
   for (std::uint32_t i = 0; i < places.size(); ++i) {
-    (places[i] == Place::outside ? leaving : staying).push_back(i);
+    if (places[i] == Place::outside) leaving.push_back(i);
     if (places[i] != Place::solid) continue;
     const Vec3d way_out = ground_.pushed_out(positions[i]) - positions[i];
-    if (!(norm(way_out) < tolerated_depth * ground_.spacing())) sunk.push_back({i, way_out});
+    if (norm(way_out) < tolerated_depth * ground_.spacing()) continue;
+    sunk.push_back(i);
+    ways_out.push_back(way_out);
   }
-  if (!leaving.empty() || !sunk.empty()) {
-    Particles& fluid = backend.fluid();
-    for (const Sunk& particle : sunk)
-      if (fluid.driven[particle.row] == 0) put_back(fluid, particle);
-    departed_.append(fluid, leaving);
-    if (!leaving.empty()) fluid.permute(staying);
-  }
+  if (!sunk.empty()) put_back(backend, sunk, ways_out);
+  if (!leaving.empty()) departed_.append(backend.take_out(leaving));
   // Beside the flow as far as structures do not feel it any more, see LoadProfile.
   const bool has_structures = !ground_.dams().empty() || !ground_.bodies().empty();
   const double reach = backend.list_radius() + (has_structures ? ground_.spacing() : 0);
@@ -58,13 +66,20 @@ Domain::Place Domain::place_of(const Vec3d& x) const {
   return ground_.is_solid(x) ? Place::solid : Place::free;
 }
 
-void Domain::put_back(Particles& fluid, const Sunk& sunk) {
-  fluid.position[sunk.row] += sunk.way_out;
-  // It may slide on, but not back in.
-  Vec3d& velocity = fluid.velocity[sunk.row];
-  const double inward = std::min(0.0, dot(velocity, sunk.way_out));
-  velocity -= (inward / dot(sunk.way_out, sunk.way_out)) * sunk.way_out;
-  ++put_back_count_;
+void Domain::put_back(Backend& backend, const ParticleRows& sunk,
+                      const std::vector<Vec3d>& ways_out) {
+  backend.change_rows(sunk, [&](Particles& fluid) {
+    for (std::size_t k = 0; k < sunk.size(); ++k) {
+      if (fluid.driven[k] != 0) continue;
+      const Vec3d& way_out = ways_out[k];
+      fluid.position[k] += way_out;
+      // It may slide on, but not back in.
+      Vec3d& velocity = fluid.velocity[k];
+      const double inward = std::min(0.0, dot(velocity, way_out));
+      velocity -= (inward / dot(way_out, way_out)) * way_out;
+      ++put_back_count_;
+    }
+  });
 }
 
 Particles Domain::take_departed() { return std::exchange(departed_, {}); }

@@ -28,17 +28,18 @@ class Domain {
   /// Takes particles that left the DEM out of the fluid, puts those found in the ground, a dam or
   /// a body, by more than a tenth of a spacing, back outside (both are counted) and makes the
   /// ground within the radius of the list of the rest. Called each time the neighbour list is
-  /// renewed. Particles are asked for, and then have to be handed back to a device, only where
-  /// something changes.
+  /// renewed.
   void update(Backend& backend);
 
-  /// Whether some inflow may bring particles or set some free after a step of `dt` (s): then it
-  /// needs the whole fluid, and neighbours must be renewed before the next step.
+  /// Whether some inflow may bring particles or set some free after a step of `dt` (s): then
+  /// neighbours must be renewed before the next step.
   bool layer_is_due(double dt) const {
     return std::ranges::any_of(inflows_, [dt](const Inflow& i) { return i.layer_is_due(dt); });
   }
-  /// Lets inflows follow a step of `dt` (s) to `time` (s), see Inflow. Where no layer is due driven
-  /// particles will do for the fluid.
+  /// Rows of the fluid that inflows look at where a layer is due.
+  ParticleRows rows_at_inflows(Backend& backend) const;
+  /// Lets inflows follow a step of `dt` (s) to `time` (s), see Inflow: by those rows, or, where no
+  /// layer is due, by the driven particles.
   void advance_inflows(Particles& fluid, const Tait& state, double time, double dt);
 
   /// Particles that left since the last call.
@@ -66,12 +67,7 @@ class Domain {
  private:
   enum class Place : char { free, outside, solid };
   Place place_of(const Vec3d& x) const;
-  /// A particle found in a solid, and how it gets out.
-  struct Sunk {
-    std::uint32_t row;
-    Vec3d way_out;  ///< m
-  };
-  void put_back(Particles& fluid, const Sunk& sunk);
+  void put_back(Backend& backend, const ParticleRows& sunk, const std::vector<Vec3d>& ways_out);
 
   Ground& ground_;
   std::vector<Inflow> inflows_;

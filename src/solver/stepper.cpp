@@ -33,7 +33,9 @@ void Stepper::advance_to(double time, double longest) {
 void Stepper::advance_inflows(double dt) {
   const Tait& state = backend_.model().state;
   if (domain_->layer_is_due(dt)) {
-    domain_->advance_inflows(backend_.fluid(), state, time_, dt);
+    backend_.change_rows(domain_->rows_at_inflows(backend_), [&](Particles& near) {
+      domain_->advance_inflows(near, state, time_, dt);
+    });
     particles_changed_ = true;
   } else {
     backend_.change_driven(

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <span>
 
 #include "support/backends.hpp"
 #include "support/clouds.hpp"
@@ -117,6 +118,53 @@ TEST_P(Device, TakesChangesOfTheHostOver) {
   const auto [position, velocity] = state_of(*backend).at(1000);
   EXPECT_NEAR(velocity.z, -1 - 9.81 * dt, 1e-5);  // the solve is in single precision
   EXPECT_NEAR(position.z, 5 + dt * velocity.z, 1e-12);
+}
+
+/// Takes two particles out, stops one and lets another fall from far above.
+void change_some(Backend& backend) {
+  const auto rows_of = [&](std::uint32_t a, std::uint32_t b) {
+    ParticleRows rows;
+    const std::span<const std::uint32_t> id = backend.places().id;
+    for (std::uint32_t i = 0; i < id.size(); ++i)
+      if (id[i] == a || id[i] == b) rows.push_back(i);
+    return rows;
+  };
+  const Particles taken = backend.take_out(rows_of(17, 180));
+  ASSERT_EQ(taken.size(), 2u);
+  EXPECT_EQ(taken.id[0] + taken.id[1], 197u);
+  backend.change_rows(rows_of(40, 41), [&](Particles& some) {
+    ASSERT_EQ(some.size(), 2u);
+    some.velocity[some.id[0] == 40 ? 0 : 1] = {};
+    add_particle(some, backend.model(), {0.3, 0.3, 5}, {0, 0, -1});
+    some.id.back() = 1000;
+  });
+}
+
+// Whether or not the host has asked for the fluid before.
+TEST_P(Device, ChangesRowsAsTheHostDoes) {
+  const auto seen = make(collapsing()), unseen = make(collapsing());
+  const auto cpu = make_backend(BackendKind::cpu, collapsing());
+  for (Backend* backend : {seen.get(), unseen.get(), cpu.get()}) {
+    fill(*backend);
+    const auto stepper = test::stepper_of(Method::fast, *backend);
+    for (int k = 0; k < 20; ++k) stepper->step(2e-3);
+    if (backend == seen.get()) {
+      EXPECT_EQ(backend->fluid().size(), 216u);
+    }
+    change_some(*backend);
+    EXPECT_TRUE(backend->neighbours_are_stale(0));
+    EXPECT_EQ(backend->fluid_count(), 215u);
+    EXPECT_EQ(backend->places().id.size(), 215u);
+    EXPECT_EQ(backend->asleep_count(), 0u);
+    for (int k = 0; k < 20; ++k) stepper->step(2e-3);
+  }
+  const State expected = state_of(*cpu), found = state_of(*unseen);
+  EXPECT_EQ(state_of(*seen), found);
+  ASSERT_EQ(found.size(), 215u);
+  EXPECT_FALSE(found.contains(17) || found.contains(180));
+  EXPECT_LT(found.at(1000).second.z, -1.3);
+  for (const auto& [id, x] : found)
+    EXPECT_LT(norm(expected.at(id).first - x.first), 2e-4 * 0.1) << id;
 }
 
 /// Takes the western half of the floor away and lays a row beside its eastern side.

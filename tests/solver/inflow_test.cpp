@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <set>
 #include <string>
+#include <tuple>
 
 #include "support/backends.hpp"
 #include "support/scenes.hpp"
@@ -146,6 +148,28 @@ TEST_P(Driven, ParticlesKeepTheirHeightAboveTheBed) {
     }
     EXPECT_GT(driven, 8u);
   }
+}
+
+// Wherever the flow is, layers come and go free as they do on the host.
+TEST_P(Driven, ParticlesComeAndGoFreeAsOnTheHost) {
+  const Surface surface = wavy_trough();
+  const std::vector<InflowPlan> plans{plan_over(surface)};
+  const auto numbers = [&](test::On on) {
+    auto backend = test::make_backend(on, test::plain_model(0.5, 40, 500));
+    Ground ground(surface, {}, {0.5, backend->model().wall_layers(), 1000});
+    Domain domain(ground, plans, 0);
+    auto stepper = test::stepper_of(Method::fast, *backend, &domain);
+    stepper->advance_to(2.05, 2.5e-3);
+    const Particles& fluid = backend->fluid();
+    std::set<std::uint32_t> driven;
+    for (std::size_t i = 0; i < fluid.size(); ++i)
+      if (fluid.driven[i] != 0) driven.insert(fluid.id[i]);
+    const Particles freed = domain.take_freed();
+    return std::tuple(std::set(freed.id.begin(), freed.id.end()), driven, fluid.size());
+  };
+  const auto expected = numbers(test::On::cpu);
+  EXPECT_GT(std::get<0>(expected).size(), 8u);
+  EXPECT_EQ(numbers(GetParam()), expected);
 }
 
 /// A cube whose half is driven sideways; the other half is at rest.

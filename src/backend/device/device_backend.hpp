@@ -46,6 +46,10 @@ class DeviceBackend : public Backend {
     return pass_times_;
   }
 
+  void change_rows(const ParticleRows& rows,
+                   const std::function<void(Particles&)>& change) override;
+  Particles take_out(const ParticleRows& rows) override;
+  ParticleRows driven_rows() const override;
   void change_driven(const std::function<void(Particles&)>& change) override;
 
   std::size_t fluid_count() const override { return count(fluid_, fluid_copy_); }
@@ -71,7 +75,7 @@ class DeviceBackend : public Backend {
   void advance_state() override;
   void update_sleep() override;
   std::size_t asleep_count() const override {
-    return fluid_.size() - awake_.size() - driven_.size();
+    return list_position_.size() - awake_.size() - driven_.size();
   }
   void set_sound_speed(double c0) override;
 
@@ -116,10 +120,7 @@ class DeviceBackend : public Backend {
     return copy.is_lent ? copy.particles.size() : set.size();
   }
   Particles& fetched(DeviceParticles<Executor>& from, Copy& copy);
-  template <class T>
-  void fetch_driven(const Array<T>& from, std::vector<T>& to) const;
-  template <class T>
-  void put_driven(const std::vector<T>& from, Array<T>& to) const;
+  void rows_changed();
   FlowView view();
   PairRows rows() const;
   PairSums pair_sums() const { return {scale_, rows(), fluid_.size()}; }

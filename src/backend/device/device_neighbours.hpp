@@ -95,32 +95,59 @@ void DeviceBackend<Executor>::change_boundary(const BoundaryChange& change) {
 }
 
 template <class Executor>
-template <class T>
-void DeviceBackend<Executor>::fetch_driven(const Array<T>& from, std::vector<T>& to) const {
-  Array<T> gathered;
-  on_.reserve(gathered, driven_.size());
-  on_.for_each(driven_.size(), GatherRows<T>{from.data(), driven_.data(), gathered.data()});
-  on_.download(gathered, to);
+void DeviceBackend<Executor>::change_rows(const ParticleRows& rows,
+                                          const std::function<void(Particles&)>& change) {
+  if (fluid_copy_.is_lent) return sabo::change_rows(fluid_copy_.particles, rows, change);
+  Array<std::uint32_t> where;
+  on_.upload(rows, where);
+  Particles some;
+  fluid_.fetch(on_, where, some);
+  change(some);
+  const Particles added = take_tail(some, rows.size());
+  fluid_.put(on_, where, some);
+  if (added.size() > 0) fluid_.append(on_, added);
+  rows_changed();
 }
 
 template <class Executor>
-template <class T>
-void DeviceBackend<Executor>::put_driven(const std::vector<T>& from, Array<T>& to) const {
-  Array<T> gathered;
-  on_.upload(from, gathered);
-  on_.for_each(driven_.size(), ScatterRows<T>{gathered.data(), driven_.data(), to.data()});
+Particles DeviceBackend<Executor>::take_out(const ParticleRows& rows) {
+  if (fluid_copy_.is_lent) return sabo::take_out(fluid_copy_.particles, rows);
+  Array<std::uint32_t> where;
+  on_.upload(rows, where);
+  Particles taken;
+  fluid_.fetch(on_, where, taken);
+  on_.upload(rows_beside(rows, fluid_.size()), where);
+  fluid_.permute(on_, where);
+  rows_changed();
+  return taken;
+}
+
+/// Rows of the list are others now.
+template <class Executor>
+void DeviceBackend<Executor>::rows_changed() {
+  has_list_ = false;
+  ids_copy_.clear();
+  fluid_changed();
+}
+
+template <class Executor>
+ParticleRows DeviceBackend<Executor>::driven_rows() const {
+  ParticleRows rows;
+  on_.download(driven_, rows);
+  return rows;
 }
 
 template <class Executor>
 void DeviceBackend<Executor>::change_driven(const std::function<void(Particles&)>& change) {
+  using Set = DeviceParticles<Executor>;
   Particles driven;
   driven.resize(driven_.size());
-  fetch_driven(fluid_.driven, driven.driven);
-  fetch_driven(fluid_.position, driven.position);
-  fetch_driven(fluid_.velocity, driven.velocity);
+  Set::fetch_rows(on_, fluid_.driven, driven_, driven.driven);
+  Set::fetch_rows(on_, fluid_.position, driven_, driven.position);
+  Set::fetch_rows(on_, fluid_.velocity, driven_, driven.velocity);
   change(driven);
-  put_driven(driven.position, fluid_.position);
-  put_driven(driven.velocity, fluid_.velocity);
+  Set::put_rows(on_, driven.position, driven_, fluid_.position);
+  Set::put_rows(on_, driven.velocity, driven_, fluid_.velocity);
   fluid_changed();
 }
 

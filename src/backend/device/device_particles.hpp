@@ -116,6 +116,36 @@ class DeviceParticles {
 #undef SABO_PERMUTE
   }
 
+  /// Copies some rows to the host.
+  void fetch(const Executor& on, const Array<std::uint32_t>& rows, Particles& to) const {
+#define SABO_FETCH(type, name, unit, meaning, is_shown) fetch_rows(on, name, rows, to.name);
+    SABO_PARTICLE_FIELDS(SABO_FETCH)
+#undef SABO_FETCH
+  }
+  /// Brings them back.
+  void put(const Executor& on, const Array<std::uint32_t>& rows, const Particles& from) {
+#define SABO_PUT(type, name, unit, meaning, is_shown) put_rows(on, from.name, rows, name);
+    SABO_PARTICLE_FIELDS(SABO_PUT)
+#undef SABO_PUT
+  }
+
+  /// The same of one field.
+  template <class T>
+  static void fetch_rows(const Executor& on, const Array<T>& from, const Array<std::uint32_t>& rows,
+                         std::vector<T>& to) {
+    Array<T> gathered;
+    on.reserve(gathered, rows.size());
+    on.for_each(rows.size(), GatherRows<T>{from.data(), rows.data(), gathered.data()});
+    on.download(gathered, to);
+  }
+  template <class T>
+  static void put_rows(const Executor& on, const std::vector<T>& from,
+                       const Array<std::uint32_t>& rows, Array<T>& to) {
+    Array<T> gathered;
+    on.upload(from, gathered);
+    on.for_each(rows.size(), ScatterRows<T>{gathered.data(), rows.data(), to.data()});
+  }
+
   /// One field at a time, as permute().
   void append(const Executor& on, const Particles& added) {
 #define SABO_APPEND(type, name, unit, meaning, is_shown) name = joined(on, name, added.name);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "particles/particles.hpp"
+
+// Some particles of a set, by their rows, which are sorted.
+
+namespace sabo {
+
+using ParticleRows = std::vector<std::uint32_t>;
+
+/// The rows of `count` that are not among these.
+ParticleRows rows_beside(const ParticleRows& rows, std::size_t count);
+
+/// Takes all but the first `count` particles out of a set.
+Particles take_tail(Particles& from, std::size_t count);
+
+/// Lets a function change a copy of some particles, which then takes their place; particles that it
+/// appends become the last of all.
+void change_rows(Particles& all, const ParticleRows& rows,
+                 const std::function<void(Particles&)>& change);
+
+/// Takes some particles out; those that stay keep their order.
+Particles take_out(Particles& all, const ParticleRows& rows);
+
+}  // namespace sabo
