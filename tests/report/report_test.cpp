@@ -37,6 +37,9 @@ TEST(Report, SaysWhatTheFilesOfTheRunSay) {
                     HasPiece("The greatest discharge was 23.4 m³/s, at section “s1” after 1.0 s")));
   // The table of sections: peak, its time, 25 m3 forward less 0.75 backward.
   EXPECT_THAT(html, HasPiece("<td>s1</td><td>–</td><td>23.4</td><td>1.0</td><td>24.2</td>"));
+  // The table of the front, by the quantities of the run: 27.5 m, 9.75 m/s.
+  EXPECT_THAT(html, AllOf(HasPiece("<td>Run-out</td><td>27.5</td><td>m</td>"),
+                          HasPiece("<td>Greatest speed</td><td>9.8</td><td>m/s</td>")));
   // 64 released - 40 - 20 - 4 left the map.
   EXPECT_THAT(html, HasPiece("<td>Not accounted for</td><td>0.00</td>"));
   // Zones: 0.8 m where 0.5 m were observed.
