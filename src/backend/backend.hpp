@@ -54,7 +54,8 @@ class Backend {
   const FlowModel& model() const { return model_; }
 
   /// State on the host. After a change from outside, find_neighbours() must run before any sweep.
-  /// May be a copy, which holds what it held when it was asked for: ask again after a sweep.
+  /// May be a copy, which holds what it held when it was asked for: ask again after a sweep, and
+  /// after rows have changed.
   virtual Particles& fluid() = 0;
   virtual Particles& boundary() = 0;
   /// Starts a copy of the fluid for the host to keep. The function that is returned waits for it
@@ -62,20 +63,20 @@ class Backend {
   /// copy is asked for.
   virtual std::function<void()> copy_fluid(Particles& into) = 0;
   /// Where the fluid is: less than all that fluid() fetches, and nothing to hand back. Good until
-  /// the next sweep.
+  /// the next sweep or change of rows.
   virtual std::span<const Vec3d> positions() = 0;
   /// The same with numbers and masses, in the order of fluid().
   virtual Places places() = 0;
   /// Takes boundary particles out and adds others, where they are; as a change from outside.
   virtual void change_boundary(const BoundaryChange& change) = 0;
 
-  /// Lets a function change the fluid of some rows, sorted, as they are in fluid(); what it appends
-  /// comes last. As a change from outside.
+  /// Lets a function change the fluid of some rows, sorted, each once, as they are in fluid(); it
+  /// takes none out, and what it appends comes last. As a change from outside.
   virtual void change_rows(const ParticleRows& rows,
                            const std::function<void(Particles&)>& change) = 0;
   /// Takes the fluid of some rows out; likewise.
   virtual Particles take_out(const ParticleRows& rows) = 0;
-  /// Rows of the driven particles, while none are due to change.
+  /// Rows of the driven particles, sorted, until the next change from outside.
   virtual ParticleRows driven_rows() const = 0;
   /// Lets a function change place and velocity of the driven particles, all of which are among
   /// those that it is given; neighbours need not be found anew.

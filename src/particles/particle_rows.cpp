@@ -3,7 +3,9 @@
 #include <numeric>
 
 namespace sabo {
+namespace {
 
+/// The rows of `count` that are not among these.
 ParticleRows rows_beside(const ParticleRows& rows, std::size_t count) {
   ParticleRows beside;
   beside.reserve(count - rows.size());
@@ -16,6 +18,8 @@ ParticleRows rows_beside(const ParticleRows& rows, std::size_t count) {
   }
   return beside;
 }
+
+}  // namespace
 
 Particles take_tail(Particles& from, std::size_t count) {
   ParticleRows rows(from.size() - count);

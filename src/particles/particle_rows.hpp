@@ -7,20 +7,17 @@
 
 #include "particles/particles.hpp"
 
-// Some particles of a set, by their rows, which are sorted.
+// Some particles of a set, by their rows, which are sorted, each once.
 
 namespace sabo {
 
 using ParticleRows = std::vector<std::uint32_t>;
 
-/// The rows of `count` that are not among these.
-ParticleRows rows_beside(const ParticleRows& rows, std::size_t count);
-
 /// Takes all but the first `count` particles out of a set.
 Particles take_tail(Particles& from, std::size_t count);
 
-/// Lets a function change a copy of some particles, which then takes their place; particles that it
-/// appends become the last of all.
+/// Lets a function change a copy of some particles, which then takes their place; it takes none
+/// out, and particles that it appends become the last of all.
 void change_rows(Particles& all, const ParticleRows& rows,
                  const std::function<void(Particles&)>& change);
 

@@ -17,14 +17,16 @@ Domain::Domain(Ground& ground, const std::vector<InflowPlan>& inflows, std::uint
 }
 
 ParticleRows Domain::rows_at_inflows(Backend& backend) const {
-  ParticleRows rows = backend.driven_rows();
   const std::span<const Vec3d> positions = backend.positions();
-  for (std::uint32_t i = 0; i < positions.size(); ++i)
-    if (std::ranges::any_of(
-            inflows_, [&](const Inflow& inflow) { return inflow.may_be_in_the_way(positions[i]); }))
-      rows.push_back(i);
-  std::sort(rows.begin(), rows.end());
-  rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+  std::vector<char> is_seen(positions.size());
+  over(positions.size(), host_threads(backend.model().threads), [&](std::size_t i) {
+    is_seen[i] = std::ranges::any_of(
+        inflows_, [&](const Inflow& inflow) { return inflow.may_be_in_the_way(positions[i]); });
+  });
+  for (const std::uint32_t row : backend.driven_rows()) is_seen[row] = 1;
+  ParticleRows rows;
+  for (std::uint32_t i = 0; i < is_seen.size(); ++i)
+    if (is_seen[i]) rows.push_back(i);
   return rows;
 }
 
@@ -68,13 +70,13 @@ Domain::Place Domain::place_of(const Vec3d& x) const {
 
 void Domain::put_back(Backend& backend, const ParticleRows& sunk,
                       const std::vector<Vec3d>& ways_out) {
-  backend.change_rows(sunk, [&](Particles& fluid) {
-    for (std::size_t k = 0; k < sunk.size(); ++k) {
-      if (fluid.driven[k] != 0) continue;
+  backend.change_rows(sunk, [&](Particles& found) {
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      if (found.driven[k] != 0) continue;
       const Vec3d& way_out = ways_out[k];
-      fluid.position[k] += way_out;
+      found.position[k] += way_out;
       // It may slide on, but not back in.
-      Vec3d& velocity = fluid.velocity[k];
+      Vec3d& velocity = found.velocity[k];
       const double inward = std::min(0.0, dot(velocity, way_out));
       velocity -= (inward / dot(way_out, way_out)) * way_out;
       ++put_back_count_;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "backend/backend.hpp"
+#include "particles/particle_rows.hpp"
 #include "particles/particles.hpp"
 #include "physics/equation_of_state.hpp"
 #include "solver/inflow.hpp"

@@ -89,6 +89,11 @@ bool Inflow::is_over(double time) const {
   return time >= plan_.hydrograph.end() && driven_ == 0 && owed(time) < 0.5;
 }
 
+/// A layer comes less than a spacing beyond the line.
+bool Inflow::may_be_in_the_way(const Vec3d& place) const {
+  return std::abs(plan_.section.distance(place)) < (1 + room) * plan_.spacing;
+}
+
 Inflow::Change Inflow::advance(Particles& fluid, const Tait& state, double time, double dt,
                                std::uint32_t& next_id) {
   const bool was_active = advance_ > 0;

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string>
@@ -67,15 +66,13 @@ class Inflow {
   /// Whether the last layer will have moved on by a spacing after a step of `dt` (s).
   bool layer_is_due(double dt) const { return moved_ + dt * advance_ >= plan_.spacing; }
 
-  /// Whether a free particle may be where a layer is about to come.
-  bool may_be_in_the_way(const Vec3d& place) const {
-    return std::abs(plan_.section.distance(place)) < 2 * plan_.spacing;
-  }
+  /// Whether a free particle may be too near to where a layer is about to come.
+  bool may_be_in_the_way(const Vec3d& place) const;
 
   /// The fluid has made a step of `dt` (s) to `time` (s): keeps driven particles on the bed, and if
   /// a layer is due sets those free that are through and brings it, with ids from `next_id` on.
-  /// Sets the velocity of the next step. `fluid` needs to hold driven particles alone, and for a
-  /// layer the free ones that may be in its way.
+  /// Sets the velocity of the next step. `fluid` need hold no others than those that are driven
+  /// and, for a layer, those that may be in its way.
   Change advance(Particles& fluid, const Tait& state, double time, double dt,
                  std::uint32_t& next_id);
 

@@ -167,6 +167,20 @@ TEST_P(Device, ChangesRowsAsTheHostDoes) {
     EXPECT_LT(norm(expected.at(id).first - x.first), 2e-4 * 0.1) << id;
 }
 
+TEST_P(Device, WantsAnotherListOnceRowsHaveChanged) {
+  const auto backend = make(collapsing());
+  fill(*backend);
+  for (const bool host_has_asked : {false, true}) {
+    backend->find_neighbours();
+    if (host_has_asked) {
+      EXPECT_EQ(backend->fluid().size(), 216u);
+    }
+    EXPECT_FALSE(backend->neighbours_are_stale(0));
+    backend->change_rows({3}, [](Particles& some) { some.velocity = {{1, 0, 0}}; });
+    EXPECT_TRUE(backend->neighbours_are_stale(0));
+  }
+}
+
 /// Takes the western half of the floor away and lays a row beside its eastern side.
 BoundaryChange moved_floor(Backend& backend) {
   BoundaryChange change;

@@ -18,12 +18,6 @@ Particles five() {
   return p;
 }
 
-TEST(ParticleRows, BesideOthersAreAllThatAreLeft) {
-  EXPECT_EQ(rows_beside({0, 2, 3}, 5), (ParticleRows{1, 4}));
-  EXPECT_EQ(rows_beside({}, 3), (ParticleRows{0, 1, 2}));
-  EXPECT_EQ(rows_beside({0, 1, 2}, 3), ParticleRows{});
-}
-
 TEST(ParticleRows, AreChangedWhereTheyAreAndWhatIsAddedComesLast) {
   Particles all = five();
   change_rows(all, {1, 3}, [](Particles& some) {
@@ -44,6 +38,9 @@ TEST(ParticleRows, AreTakenOutAndTheOthersKeepTheirOrder) {
   EXPECT_EQ(taken.position[1], (Vec3d{3, 0, 0}));
   EXPECT_EQ(all.id, (Ids{11, 12, 14}));
   EXPECT_EQ(all.position[2], (Vec3d{4, 0, 0}));
+  EXPECT_EQ(take_out(all, {}).size(), 0u);
+  EXPECT_EQ(take_out(all, {0, 1, 2}).id, (Ids{11, 12, 14}));
+  EXPECT_EQ(all.size(), 0u);
 }
 
 TEST(ParticleRows, OfTheTailBecomeASetOfTheirOwn) {

@@ -17,7 +17,9 @@ Surface wide_floor() {
   return Surface(Raster(grid, 0.0));
 }
 
-std::unique_ptr<Backend> flow_at(test::On kind, const std::vector<Vec3d>& positions) {
+/// The last `driven` of them are driven.
+std::unique_ptr<Backend> flow_at(test::On kind, const std::vector<Vec3d>& positions,
+                                 std::size_t driven = 0) {
   auto backend = test::make_backend(kind, test::plain_model(0.5, 60, 50));
   Particles& p = backend->fluid();
   p.resize(positions.size());
@@ -26,6 +28,7 @@ std::unique_ptr<Backend> flow_at(test::On kind, const std::vector<Vec3d>& positi
     p.mass[i] = 1;
     p.velocity[i] = {1, 1, -1};
     p.id[i] = static_cast<std::uint32_t>(i);
+    p.driven[i] = i + driven >= positions.size() ? 1 : 0;
   }
   backend->find_neighbours();
   return backend;
@@ -59,16 +62,24 @@ TEST(Domain, PutsBackWhatIsBelowTheGroundAndCountsIt) {
   for (const test::On kind : test::backends()) {
     Ground ground(floor, {}, {0.5, 3, 1000});
     Domain domain(ground);
-    const auto flow = flow_at(kind, {{0, 0, -0.2}, {1, 0, 0.2}});
+    const std::vector<Vec3d> before{
+        {0, 0, 0.2}, {1, 0, -0.2}, {2, 0, 0.3}, {3, 0, -0.4}, {4, 0, -0.2}};
+    const auto flow = flow_at(kind, before, 1);
     domain.update(*flow);
     const Particles& fluid = flow->fluid();
-    const std::size_t sunk = row_of(0, fluid), above = row_of(1, fluid);
-    EXPECT_EQ(domain.put_back_count(), 1u);
-    EXPECT_GE(fluid.position[sunk].z, 0);
-    EXPECT_NEAR(fluid.position[sunk].z, 0, 0.01);
-    EXPECT_NEAR(norm(fluid.velocity[sunk] - Vec3d{1, 1, 0}), 0, 1e-12);  // it slides on
-    EXPECT_EQ(fluid.position[above].z, 0.2);
-    EXPECT_EQ(fluid.velocity[above], (Vec3d{1, 1, -1}));
+    EXPECT_EQ(domain.put_back_count(), 2u);
+    for (const std::uint32_t id : {1u, 3u}) {
+      const Vec3d& x = fluid.position[row_of(id, fluid)];
+      EXPECT_EQ(x.x, before[id].x);
+      EXPECT_GE(x.z, 0);
+      EXPECT_NEAR(x.z, 0, 0.01);
+      // It slides on.
+      EXPECT_NEAR(norm(fluid.velocity[row_of(id, fluid)] - Vec3d{1, 1, 0}), 0, 1e-12);
+    }
+    for (const std::uint32_t id : {0u, 2u, 4u}) {  // the last one is for its inflow to move
+      EXPECT_EQ(fluid.position[row_of(id, fluid)], before[id]);
+      EXPECT_EQ(fluid.velocity[row_of(id, fluid)], (Vec3d{1, 1, -1}));
+    }
   }
 }
 

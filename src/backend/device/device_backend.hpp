@@ -24,9 +24,9 @@ namespace sabo {
 ///
 /// fluid() and boundary() are copies on the host. They are fetched when they are asked for after a
 /// change on the device, all fields at once, and handed back by find_neighbours() if they have been
-/// asked for since the last change. So a reference is good until the next sweep: ask again then.
-/// Per step only its length and sums come to the host, the forces on particles of bodies, and
-/// driven particles.
+/// asked for since the last change. So a reference is good until the next sweep or change of rows:
+/// ask again then. Per step only its length and sums come to the host, the forces on particles of
+/// bodies, and driven particles.
 template <class Executor>
 class DeviceBackend : public Backend {
  public:
@@ -120,7 +120,7 @@ class DeviceBackend : public Backend {
     return copy.is_lent ? copy.particles.size() : set.size();
   }
   Particles& fetched(DeviceParticles<Executor>& from, Copy& copy);
-  void rows_changed();
+  void rows_change();
   FlowView view();
   PairRows rows() const;
   PairSums pair_sums() const { return {scale_, rows(), fluid_.size()}; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <span>
 #include <vector>
@@ -43,7 +44,7 @@ std::span<const Vec3d> DeviceBackend<Executor>::positions() {
   return {positions_copy_.data(), positions_copy_.size()};
 }
 
-/// Numbers and masses stay what they are until the next list.
+/// Numbers and masses stay what they are until rows change.
 template <class Executor>
 Places DeviceBackend<Executor>::places() {
   if (fluid_copy_.is_current) return fluid_copy_.particles;
@@ -71,6 +72,7 @@ void DeviceBackend<Executor>::change_boundary(const BoundaryChange& change) {
 template <class Executor>
 void DeviceBackend<Executor>::change_rows(const ParticleRows& rows,
                                           const std::function<void(Particles&)>& change) {
+  has_list_ = false;
   if (fluid_copy_.is_lent) return sabo::change_rows(fluid_copy_.particles, rows, change);
   Array<std::uint32_t> where;
   on_.upload(rows, where);
@@ -78,29 +80,30 @@ void DeviceBackend<Executor>::change_rows(const ParticleRows& rows,
   fluid_.fetch(on_, where, some);
   change(some);
   const Particles added = take_tail(some, rows.size());
+  rows_change();
   fluid_.put(on_, where, some);
   if (added.size() > 0) fluid_.append(on_, added);
-  rows_changed();
 }
 
 template <class Executor>
 Particles DeviceBackend<Executor>::take_out(const ParticleRows& rows) {
+  has_list_ = false;
   if (fluid_copy_.is_lent) return sabo::take_out(fluid_copy_.particles, rows);
   Array<std::uint32_t> where;
   on_.upload(rows, where);
   Particles taken;
   fluid_.fetch(on_, where, taken);
-  on_.upload(rows_beside(rows, fluid_.size()), where);
-  fluid_.permute(on_, where);
-  rows_changed();
+  rows_change();
+  Array<std::uint32_t> staying;
+  list_kept(on_, fluid_.size(), IsNoneOf{where.data(), where.size()}, staying);
+  fluid_.permute(on_, staying);
   return taken;
 }
 
-/// Rows of the list are others now.
+/// Before they do: what belongs to the rows of the list makes room.
 template <class Executor>
-void DeviceBackend<Executor>::rows_changed() {
-  has_list_ = false;
-  ids_copy_.clear();
+void DeviceBackend<Executor>::rows_change() {
+  forget_results();
   fluid_changed();
 }
 

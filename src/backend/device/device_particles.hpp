@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/bisect.hpp"
 #include "particles/boundary_change.hpp"
 #include "particles/particle_view.hpp"
 
@@ -39,6 +40,17 @@ struct LiesInNone {
   const std::uint32_t* id;
   IdRuns runs;
   SABO_HD bool operator()(std::size_t k) const { return !runs.hold(id[k]); }
+};
+
+/// Whether a row is not among some, which are sorted.
+struct IsNoneOf {
+  const std::uint32_t* rows;
+  std::size_t count;
+  SABO_HD bool operator()(std::size_t row) const {
+    const std::size_t beyond =
+        bisect(std::size_t{0}, count, [&](std::size_t k) { return rows[k] <= row; });
+    return beyond == 0 || rows[beyond - 1] != row;
+  }
 };
 
 /// Memory that arrays take, bytes.
