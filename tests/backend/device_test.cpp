@@ -85,10 +85,11 @@ TEST_P(Device, MovesAFlowAsTheProcessorDoes) {
 // As a card with few particles, where several threads share each row of pairs.
 TEST(SharedRows, MoveAFlowAsWholeOnesDo) {
   for (const Method method : test::both_methods) {
-    DeviceBackendOnHost whole(collapsing());
+    test::DeviceOnHost whole(collapsing());
     const State expected = collapsed(whole, method, 60);
     for (const std::uint32_t shares : {2u, 8u, 32u}) {
-      DeviceBackendOnHost sharing(collapsing(), HostExecutor(1, shares));
+      test::DeviceOnHost sharing(collapsing(),
+                                 test::LateExecutor(test::LoopOrder::forward, shares));
       for (const auto& [id, x] : collapsed(sharing, method, 60))
         EXPECT_LT(norm(expected.at(id).first - x.first), 2e-4 * 0.1) << shares;
     }
@@ -249,10 +250,13 @@ TEST_P(Device, TellsPlacesWithoutTheRest) {
     EXPECT_TRUE(std::ranges::equal(position, backend->positions()));
     backend->fix_step(1e-3);
     EXPECT_EQ(backend->fastest(), backend->chosen_step().flow.speed);
-    Particles copy;
+    Particles at_once, copy;
+    backend->copy_fluid(at_once)();
+    EXPECT_EQ(at_once.position, position);
     const auto fill_copy = backend->copy_fluid(copy);
     const Particles fluid = backend->fluid();
     EXPECT_EQ(position, fluid.position);
+    EXPECT_EQ(at_once.velocity, fluid.velocity);
     EXPECT_EQ(id, fluid.id);
     EXPECT_EQ(mass, fluid.mass);
     stepper->step(2e-3);  // where the copy is still on its way, it is of what was before

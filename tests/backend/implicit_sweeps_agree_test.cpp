@@ -154,7 +154,7 @@ void expect_steps_agree(const FlowModel& plain, Cloud cloud) {
     expect_close(expected, step_of(Opened<CpuBackend>(model, *sweeps), cloud));
   }
   SCOPED_TRACE("device");
-  expect_close(expected, step_of(Opened<DeviceBackendOnHost>(model), cloud));
+  expect_close(expected, step_of(Opened<test::DeviceOnHost>(model), cloud));
 }
 
 class ImplicitSweeps : public testing::TestWithParam<std::tuple<int, Cloud, WallShear>> {};

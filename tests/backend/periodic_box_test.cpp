@@ -44,7 +44,7 @@ TEST(PeriodicBox, HasNoBordersInAnyDirection) {
   for (const int dimension : {2, 3}) {
     expect_no_borders<OpenedFilling<ReferenceBackend>>(dimension);
     expect_no_borders<OpenedFilling<CpuBackend>>(dimension);
-    expect_no_borders<OpenedFilling<DeviceBackendOnHost>>(dimension);
+    expect_no_borders<OpenedFilling<test::DeviceOnHost>>(dimension);
   }
 }
 

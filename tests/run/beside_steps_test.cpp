@@ -6,10 +6,10 @@
 #include <sstream>
 #include <string>
 
+#include "support/device_on_host.hpp"
 #include "support/temporary_folder.hpp"
 #include <gtest/gtest.h>
 
-#include "backend/device/on_host.hpp"
 #include "base/error.hpp"
 #include "run/flow.hpp"
 #include "run/frames.hpp"
@@ -66,15 +66,15 @@ class BesideSteps : public testing::Test {
 };
 
 /// Seems to be of the host, so that all is done at once.
-class SeemsOnHost : public DeviceBackendOnHost {
+class SeemsOnHost : public test::DeviceOnHost {
  public:
-  using DeviceBackendOnHost::DeviceBackendOnHost;
+  using DeviceBackend::DeviceBackend;
   std::size_t device_bytes() const override { return 0; }
 };
 
 TEST_F(BesideSteps, MapsAreTheSame) {
   const FlowModel model = flow_model(case_.material, case_.numerics, scene_.greatest_depth());
-  const Raster beside = peak_depth(std::make_unique<DeviceBackendOnHost>(model));
+  const Raster beside = peak_depth(std::make_unique<test::DeviceOnHost>(model));
   const Raster at_once = peak_depth(std::make_unique<SeemsOnHost>(model));
   EXPECT_GT(way_, 10);
   double greatest = 0;

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
+#include "support/device_on_host.hpp"
 #include <gtest/gtest.h>
 
-#include "backend/device/on_host.hpp"
 #include "solver/make_backend.hpp"
 
 // What a test of all backends runs on. `device` is the code of graphics cards, run on the host;
@@ -28,7 +28,7 @@ inline std::unique_ptr<Backend> make_backend(On on, const FlowModel& model) {
     case On::cpu:
       return sabo::make_backend(BackendKind::cpu, model);
     case On::device:
-      return std::make_unique<DeviceBackendOnHost>(model);
+      return std::make_unique<DeviceOnHost>(model);
     case On::cuda:
       break;
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <utility>
 #include <vector>
 
 #include "support/backends.hpp"
@@ -86,7 +87,11 @@ class RandomFlow {
 struct Moving {
   static constexpr double dt = 2e-5;  // s
 
-  Moving(On on, const RandomFlow& flow, bool has_walls) : backend(make_backend(on, flow.model)) {
+  Moving(On on, const RandomFlow& flow, bool has_walls)
+      : Moving(make_backend(on, flow.model), flow, has_walls) {}
+  /// `made` is of the model of the flow, and empty.
+  Moving(std::unique_ptr<Backend> made, const RandomFlow& flow, bool has_walls)
+      : backend(std::move(made)) {
     backend->fluid() = flow.fluid;
     if (has_walls) backend->boundary() = flow.walls_beneath;
     if (flow.method == Method::fast) {

@@ -132,16 +132,24 @@ struct SumSpace {
 };
 const SumSpace& sum_space();
 
-/// Runs loops on the card, one kernel each, in the order in which they are given. See HostExecutor
-/// for what the members do. Sums have a fixed order and nothing is added up atomically: the same
-/// bits in every run on the same kind of card.
+/// Where code that is written once for hosts and cards has its arrays and runs its loops: here in
+/// the memory of the card, one kernel for each loop, in the order in which they are given. What
+/// returns something or takes a vector waits for the card; nothing else does. Sums have a fixed
+/// order and nothing is added up atomically: the same bits in every run on the same kind of card.
+///
+/// Loop bodies are structs of plain values and pointers whose operator() is SABO_HD. They run when
+/// the card gets to them: what they point to is the card's.
 class CudaExecutor {
  public:
+  /// Resized, it keeps its values if at all by chance; freed, it is there for the work that was
+  /// asked for before.
   template <class T>
   using Array = DeviceArray<T>;
+  /// On the host, where copies to it are made beside other work.
   template <class T>
   using StagingArray = PageLockedArray<T>;
 
+  /// f(i) for i in [0, count), in no order; f writes to i alone.
   template <class F>
   void for_each(std::size_t count, const F& f) const {
     static_assert(std::is_trivially_copyable_v<F> && sizeof(F) < 4000);
@@ -150,6 +158,7 @@ class CudaExecutor {
     check_cuda(cudaGetLastError(), "kernel launch");
   }
 
+  /// Joins what f(i, sum) adds, in an order that depends on `count` alone.
   template <class Sum, class F>
   Sum reduce(std::size_t count, const F& f) const {
     Sum total;
@@ -161,6 +170,7 @@ class CudaExecutor {
     return total;
   }
 
+  /// The same; the sum becomes the one value of `total`, where it can be read without a wait.
   template <class Sum, class F>
   void sum_into(std::size_t count, const F& f, DeviceArray<Sum>& total) const {
     if (count == 0) return upload(std::vector<Sum>(1), total);
@@ -168,6 +178,7 @@ class CudaExecutor {
     start_sum(count, f, total.data());
   }
 
+  /// A sweep over the pairs of each i in [0, count); see backend/device/pair_rows.hpp.
   template <class Sweep>
   void sweep(std::size_t count, const Sweep& sweep) const {
     static_assert(std::is_trivially_copyable_v<Sweep> && sizeof(Sweep) < 4000);
@@ -177,6 +188,7 @@ class CudaExecutor {
     });
     check_cuda(cudaGetLastError(), "kernel launch");
   }
+  /// The same, with sum_into() of what finish(i, sums, sum) adds.
   template <class Sum, class Sweep>
   void sweep_and_sum(std::size_t count, const Sweep& sweep, DeviceArray<Sum>& total) const {
     if (count == 0) return upload(std::vector<Sum>(1), total);
@@ -188,11 +200,13 @@ class CudaExecutor {
     });
   }
 
+  /// `count` values of zero bytes.
   template <class T>
   void zero(DeviceArray<T>& array, std::size_t count) const {
     array.resize(count);
     if (count > 0) check_cuda(cudaMemsetAsync(array.data(), 0, count * sizeof(T)), "cudaMemset");
   }
+  /// Room for `count` values, which are whatever they are.
   template <class T>
   void reserve(DeviceArray<T>& array, std::size_t count) const {
     array.resize(count);
@@ -214,6 +228,7 @@ class CudaExecutor {
     to.resize(from.size());
     fetch(from.data(), from.size(), to.data());
   }
+  /// The copy is there once await() has returned for a later moment.
   template <class T>
   void start_download(const DeviceArray<T>& from, PageLockedArray<T>& to) const {
     to.resize(from.size());
@@ -224,6 +239,7 @@ class CudaExecutor {
     to.resize(from.size());
     move(from.data(), from.size(), to.data(), cudaMemcpyDeviceToDevice);
   }
+  /// The last value of an array.
   template <class T>
   T last(const DeviceArray<T>& array) const {
     T value;
@@ -231,11 +247,15 @@ class CudaExecutor {
     return value;
   }
 
+  /// Sorts pairs by the lowest `bits` of their keys; equal ones keep their order.
   void sort(DeviceArray<std::uint64_t>& keys, DeviceArray<std::uint32_t>& values, int bits) const;
+  /// Each value becomes the sum of those before it.
   void scan(DeviceArray<std::uint64_t>& values) const;
 
+  /// A place in the order of the work, for waits and for times between two of them, s.
   using Moment = CardMoment;
   Moment now() const { return CardMoment(); }
+  /// Waits until the work has come there; from any thread.
   void await(const Moment& moment) const { moment.wait(); }
   double seconds_between(const Moment& start, const Moment& end) const {
     return end.seconds_since(start);

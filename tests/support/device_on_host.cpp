@@ -1,9 +1,9 @@
-#include "backend/device/on_host.hpp"
+#include "support/device_on_host.hpp"
 
 #include "backend/device/device_implicit.hpp"
 
 namespace sabo {
 
-template class DeviceBackend<HostExecutor>;
+template class DeviceBackend<test::LateExecutor>;
 
 }  // namespace sabo
