@@ -87,16 +87,19 @@ class RunComparison {
   /// Lines of a, and those of the structures that only b has.
   std::vector<MapLine> lines_of(const std::vector<FinishedRun>& runs) {
     std::vector<MapLine> lines;
+    std::size_t of_a = 0;
     for (std::size_t k = 0; k < runs.size(); ++k) {
       RunPlan plan = plan_of(runs[k]);
       if (!plan.problem.empty())
         notes_.push_back(fmt::format("lines of {} are not drawn: {}", names_[k], plan.problem));
       for (MapLine& line : plan.lines) {
         const auto is_there = [&](const MapLine& other) {
-          return other.kind == line.kind && other.label == line.label;
+          return other.kind == line.kind && other.name_or_label() == line.name_or_label();
         };
-        if (k == 0 || std::ranges::none_of(lines, is_there)) lines.push_back(std::move(line));
+        if (std::none_of(lines.begin(), lines.begin() + of_a, is_there))
+          lines.push_back(std::move(line));
       }
+      if (k == 0) of_a = lines.size();
     }
     return lines;
   }

@@ -45,7 +45,8 @@ std::vector<VectorLayer> plan_layers(const RunPlan& plan) {
   const std::vector<LayerField> fields{{"name", false}};
   VectorLayer structures{"structures", fields}, inflows{"inflows", fields},
       sections{"sections", fields}, path{"path", fields}, zones{"zones", fields};
-  for (const MapLine& line : plan.structures) structures.rows.push_back({line.line, {line.label}});
+  for (const MapLine& line : plan.structures)
+    structures.rows.push_back({line.line, {line.name_or_label()}});
   for (const MapLine& line : plan.inflows) inflows.rows.push_back({line.line, {line.label}});
   for (const NamedSection& section : plan.sections)
     sections.rows.push_back({section.line, {section.name}});

@@ -19,11 +19,9 @@ void move_back(const Frame& frame, std::vector<MapLine>& lines) {
 std::vector<MapLine> structures_of(const Scene& scene) {
   std::vector<MapLine> lines;
   for (const CheckDam& dam : scene.dams) lines.push_back({MapLine::Kind::dam, dam.name, dam.axis});
-  for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
-    std::size_t line = lines.size();
-    add_outlines(MapLine::Kind::dam, "", {outline_of_body(scene, k)}, lines);
-    for (; line < lines.size(); ++line) lines[line].label = scene.bodies[k].name();
-  }
+  for (std::size_t k = 0; k < scene.bodies.size(); ++k)
+    add_outlines(MapLine::Kind::dam, scene.bodies[k].name(), "", {outline_of_body(scene, k)},
+                 lines);
   return lines;
 }
 

@@ -28,7 +28,9 @@ void add_dam(const CheckDam& dam, std::vector<MapLine>& lines) {
     if (is_solid && !goes_on)
       lines.push_back({MapLine::Kind::dam,
                        lines.size() == first ? dam.name : "",
-                       {{point_at(dam.axis, stations[k - 1])}, false}});
+                       {{point_at(dam.axis, stations[k - 1])}, false},
+                       false,
+                       dam.name});
     if (is_solid) lines.back().line.vertices.push_back(point_at(dam.axis, stations[k]));
     goes_on = is_solid;
   }
@@ -49,14 +51,14 @@ Polyline arrow_of(const InflowPlan& inflow) {
 
 }  // namespace
 
-void add_outlines(MapLine::Kind kind, const std::string& label,
+void add_outlines(MapLine::Kind kind, const std::string& name, const std::string& label,
                   const std::vector<Polygon>& polygons, std::vector<MapLine>& lines) {
   bool is_first = true;
   for (const Polygon& polygon : polygons) {
     for (std::vector<Vec3d> ring : polygon.rings) {
       if (ring.empty()) continue;
       ring.push_back(ring.front());
-      lines.push_back({kind, is_first ? label : "", {std::move(ring), false}});
+      lines.push_back({kind, is_first ? label : "", {std::move(ring), false}, false, name});
       is_first = false;
     }
   }
@@ -80,7 +82,7 @@ std::vector<MapLine> overlay(const Scene& scene, DamLine dams) {
   std::vector<MapLine> lines;
   lines.push_back({MapLine::Kind::path, "", scene.path});
   for (const NamedZone& zone : scene.zones)
-    add_outlines(MapLine::Kind::zone, zone.name, zone.polygons, lines);
+    add_outlines(MapLine::Kind::zone, zone.name, zone.name, zone.polygons, lines);
   for (const CheckDam& dam : scene.dams)
     dams == DamLine::whole ? lines.push_back({MapLine::Kind::dam, dam.name, dam.axis})
                            : add_dam(dam, lines);
@@ -88,7 +90,8 @@ std::vector<MapLine> overlay(const Scene& scene, DamLine dams) {
   for (std::size_t k = 0; k < scene.bodies.size(); ++k) {
     const std::size_t first = lines.size();
     const Polygon outline = outline_of_body(scene, k);
-    add_outlines(MapLine::Kind::dam, label_of_body(scene, k), {outline}, lines);
+    add_outlines(MapLine::Kind::dam, scene.bodies[k].name(), label_of_body(scene, k), {outline},
+                 lines);
     lines[first].is_filled = k >= others && outline.rings.size() == 1;
   }
   for (const InflowPlan& inflow : scene.inflows) {

@@ -22,8 +22,8 @@ std::string label_of_body(const Scene& scene, std::size_t index);
 /// Outline of a body of the scene in plan.
 Polygon outline_of_body(const Scene& scene, std::size_t index);
 
-/// Appends the outlines of polygons; the label stands at the first.
-void add_outlines(MapLine::Kind kind, const std::string& label,
+/// Appends the outlines of the polygons of one thing; the label stands at the first.
+void add_outlines(MapLine::Kind kind, const std::string& name, const std::string& label,
                   const std::vector<Polygon>& polygons, std::vector<MapLine>& lines);
 
 }  // namespace sabo

@@ -38,7 +38,7 @@ std::string preview_svg(const Case& c, const Scene& scene) {
   map.quantity = "depth of the release [m]";
   map.lines = overlay(scene);
   for (const MadeEdit& edit : scene.edits)
-    add_outlines(MapLine::Kind::edit, edit.report.name, edit.polygons, map.lines);
+    add_outlines(MapLine::Kind::edit, edit.report.name, edit.report.name, edit.polygons, map.lines);
   map.view = view_of(ground.grid, depth, map.lines);
   return map_svg(map, ground, depth);
 }

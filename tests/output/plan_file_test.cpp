@@ -24,7 +24,8 @@ const std::vector<MapLine> lines{
      "No. 1 \"堰堤\" \\",
      {{{350005, 3129990, 12.5}, {350005, 3130010, 13}}, true}},
     {MapLine::Kind::zone, "fan", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}, false}},
-    {MapLine::Kind::dam, "house", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}, false}, true}};
+    {MapLine::Kind::dam, "house", {{{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 0, 0}}, false}, true},
+    {MapLine::Kind::dam, "", {{{2, 0, 0}, {3, 0, 0}}, false}, true, "house 2"}};
 
 TEST(PlanFile, ComesBackAsWritten) {
   const TemporaryFolder folder;
@@ -34,6 +35,7 @@ TEST(PlanFile, ComesBackAsWritten) {
   for (std::size_t k = 0; k < lines.size(); ++k) {
     EXPECT_EQ(read[k].kind, lines[k].kind);
     EXPECT_EQ(read[k].label, lines[k].label);
+    EXPECT_EQ(read[k].name, lines[k].name_or_label());
     EXPECT_EQ(read[k].is_filled, lines[k].is_filled);
     EXPECT_EQ(read[k].line.has_z, lines[k].line.has_z);
     ASSERT_EQ(read[k].line.vertices.size(), lines[k].line.vertices.size());

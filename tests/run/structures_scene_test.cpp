@@ -2,6 +2,7 @@
 
 #include "support/folders.hpp"
 #include "support/temporary_folder.hpp"
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -191,6 +192,30 @@ TEST(StructuresScene, BuildingsOfAFileAreNumberedBodies) {
   EXPECT_EQ(label_of_body(scene, 2), "house 2");
 }
 
+// So many labels would hide the map; the lines know whose they are all the same.
+TEST(StructuresScene, OfManyBuildingsOneIsLabelledAndAllAreNamed) {
+  SlopeWorld world;
+  std::string file = two_houses.substr(0, two_houses.find("{\"type\": \"Feature\""));
+  for (int k = 0; k < 13; ++k)
+    file += fmt::format(
+        R"({}{{"type": "Feature", "properties": {{"h": 5}}, "geometry": {{"type": "Polygon",
+"coordinates": [[[{}, 5], [{}, 5], [{}, 9], [{}, 9], [{}, 5]]]}}}})",
+        k == 0 ? "" : ",", 10 + 2 * k, 12 + 2 * k, 12 + 2 * k, 10 + 2 * k, 10 + 2 * k);
+  world.folder.write("a.geojson", file + "]}");
+  const std::vector<MapLine> lines = overlay(world.make(dam + houses()));
+  ASSERT_THAT(world.messages(), IsEmpty());
+  std::vector<std::string> labels, names;
+  for (const MapLine& line : lines) {
+    if (line.kind != MapLine::Kind::dam || line.name_or_label() == "dam") continue;
+    names.push_back(line.name_or_label());
+    if (!line.label.empty()) labels.push_back(line.label);
+  }
+  ASSERT_EQ(names.size(), 13u);
+  EXPECT_EQ(names[0], "house 1");
+  EXPECT_EQ(names[12], "house 13");
+  EXPECT_THAT(labels, ElementsAre("house"));
+}
+
 TEST(StructuresScene, BadBuildingsAreFaults) {
   const auto fault = [](const std::string& file, const std::string& keys) {
     SlopeWorld world;
@@ -254,6 +279,7 @@ TEST(StructuresScene, MapsShowTheGapsOfADam) {
   ASSERT_EQ(pieces.size(), 2u);  // the culvert has a wall over it
   EXPECT_EQ(pieces[0].label, "dam");
   EXPECT_EQ(pieces[1].label, "");
+  EXPECT_EQ(pieces[1].name, "dam");
   EXPECT_NEAR(pieces[0].line.vertices.back().y, 17, 1e-9);
   EXPECT_NEAR(pieces[1].line.vertices.front().y, 19, 1e-9);
   EXPECT_NEAR(pieces[1].line.vertices.back().y, 30, 1e-9);

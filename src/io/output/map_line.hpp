@@ -13,9 +13,12 @@ namespace sabo {
 struct MapLine {
   enum class Kind { dam, section, path, zone, edit, inflow };
   Kind kind = Kind::path;
-  std::string label = {};  ///< "" for none
+  std::string label = {};  ///< drawn beside it; "" for none
   Polyline line = {};
   bool is_filled = false;  ///< on maps, as what is solid within a closed line
+  std::string name = {};   ///< of what it is a part of; "" where the label says that
+
+  const std::string& name_or_label() const { return name.empty() ? label : name; }
 };
 
 /// As `maps/plan.geojson` has them.

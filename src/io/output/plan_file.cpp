@@ -57,11 +57,12 @@ void write_plan(const std::filesystem::path& file, const std::vector<MapLine>& l
   for (const MapLine& line : lines) {
     if (line.line.vertices.size() < 2) continue;
     features += fmt::format(
-        "{}{{\"type\": \"Feature\", \"properties\": {{\"kind\": {}, \"name\": {}, \"filled\": "
-        "{}}}, "
+        "{}{{\"type\": \"Feature\", \"properties\": {{\"kind\": {}, \"name\": {}, \"label\": {}, "
+        "\"filled\": {}}}, "
         "\"geometry\": {{\"type\": \"LineString\", \"coordinates\": [{}]}}}}",
         features.empty() ? "" : ",\n", json_string(std::string(word_of(line.kind))),
-        json_string(line.label), line.is_filled, coordinates_of(line.line));
+        json_string(line.name_or_label()), json_string(line.label), line.is_filled,
+        coordinates_of(line.line));
   }
   const GdalErrors errors;
   write_file_atomically(
@@ -90,7 +91,10 @@ std::vector<MapLine> read_plan(const std::filesystem::path& file) {
       if (line.vertices.size() < 2) continue;
       const int filled_field = feature->GetFieldIndex("filled");
       const bool is_filled = filled_field >= 0 && feature->GetFieldAsInteger(filled_field) != 0;
-      lines.push_back({*kind, feature->GetFieldAsString(name_field), std::move(line), is_filled});
+      const std::string name = feature->GetFieldAsString(name_field);
+      const int label_field = feature->GetFieldIndex("label");  // not in files of former versions
+      const std::string label = label_field < 0 ? name : feature->GetFieldAsString(label_field);
+      lines.push_back({*kind, label, std::move(line), is_filled, name});
     }
   }
   return lines;
