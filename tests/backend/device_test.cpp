@@ -88,8 +88,7 @@ TEST(SharedRows, MoveAFlowAsWholeOnesDo) {
     test::DeviceOnHost whole(collapsing());
     const State expected = collapsed(whole, method, 60);
     for (const std::uint32_t shares : {2u, 8u, 32u}) {
-      test::DeviceOnHost sharing(collapsing(),
-                                 test::LateExecutor(test::LoopOrder::forward, shares));
+      test::DeviceOnHost sharing(collapsing(), test::LateExecutor({.row_shares = shares}));
       for (const auto& [id, x] : collapsed(sharing, method, 60))
         EXPECT_LT(norm(expected.at(id).first - x.first), 2e-4 * 0.1) << shares;
     }
@@ -269,6 +268,27 @@ TEST_P(Device, TellsPlacesWithoutTheRest) {
     EXPECT_EQ(copy.position, moved);
   }
   EXPECT_GT(backend->pass_times()["sort"].calls, 3u);
+}
+
+// Walls beside driven particles get their density last.
+TEST_P(Device, TellsOfAWallWhatTheLastSweepMadeOfIt) {
+  const auto asked = make(collapsing()), unasked = make(collapsing());
+  for (Backend* backend : {asked.get(), unasked.get()}) {
+    fill(*backend);
+    for (std::size_t i = 0; i < backend->fluid().size(); ++i)
+      backend->fluid().driven[i] = backend->fluid().position[i].x < 0.2 ? 1 : 0;
+    backend->find_neighbours();
+    backend->fix_step(1e-3);
+    backend->predict();
+    backend->pressure();
+    backend->strain_and_density_rates();
+    backend->stress();
+    if (backend == asked.get()) {
+      EXPECT_GT(backend->boundary().size(), 0u);
+    }
+    backend->momentum();
+  }
+  EXPECT_EQ(asked->boundary().density, unasked->boundary().density);
 }
 
 // Spacing 1, h = 1.5, list radius 2.2 h = 3.3: in a row of particles along x each lists three to

@@ -10,23 +10,31 @@
 
 namespace sabo::test {
 
-/// Whatever was there: no sum and no index survives it.
-inline void spoil(void* memory, std::size_t bytes) {
-  if (bytes > 0) std::memset(memory, 0xff, bytes);
+/// Not a number, no index, and true.
+inline constexpr int no_number = 0xff;
+
+/// What memory holds before it is written to, in each byte.
+inline void spoil(void* memory, std::size_t bytes, int with = no_number) {
+  if (bytes > 0) std::memset(memory, with, bytes);
 }
+
+constexpr std::align_val_t line{64};  // as the widest records want it
 
 /// Memory as that of a card: it goes once the work that was asked for before is done.
 struct LateMemory {
-  static void free(void* memory) {
-    late_stream().add([memory] { ::operator delete(memory); });
+  static void free(void* memory, std::size_t bytes) {
+    late_stream().add([=] {
+      spoil(memory, bytes);
+      ::operator delete(memory, line);
+    });
   }
 };
 
 /// Memory of the host to which the card copies: it goes at once, so that work is waited for.
 struct StagingMemory {
-  static void free(void* memory) {
+  static void free(void* memory, std::size_t /*bytes*/) {
     late_stream().wait_for_all();
-    ::operator delete(memory);
+    ::operator delete(memory, line);
   }
 };
 
@@ -60,14 +68,14 @@ class LateArray {
     if (count == size_) return;
     clear();
     if (count == 0) return;
-    data_ = static_cast<T*>(::operator new(count * sizeof(T)));
+    data_ = static_cast<T*>(::operator new(count * sizeof(T), line));
     size_ = count;
     spoil(data_, count * sizeof(T));
   }
 
  private:
   void clear() {
-    if (data_) Memory::free(data_);
+    if (data_) Memory::free(data_, size_ * sizeof(T));
     data_ = nullptr;
     size_ = 0;
   }

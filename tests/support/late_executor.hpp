@@ -28,9 +28,14 @@ class LateExecutor {
   template <class T>
   using StagingArray = LateArray<T, StagingMemory>;
 
-  /// `row_shares`: by how many threads a row of pairs is summed up.
-  explicit LateExecutor(LoopOrder order = LoopOrder::forward, std::uint32_t row_shares = 1)
-      : order_(order), row_shares_(row_shares) {}
+  struct Habits {
+    LoopOrder order = LoopOrder::forward;
+    std::uint32_t row_shares = 1;  ///< by how many threads a row of pairs is summed up
+    int in_memory = no_number;     ///< see spoil()
+  };
+
+  LateExecutor() = default;
+  explicit LateExecutor(const Habits& habits) : habits_(habits) {}
 
   template <class F>
   void for_each(std::size_t count, const F& f) const {
@@ -40,7 +45,7 @@ class LateExecutor {
 
   template <class Sum, class F>
   Sum reduce(std::size_t count, const F& f) const {
-    late_stream().wait_for_all();
+    if (count > 0) late_stream().wait_for_all();
     return sum_of<Sum>(count, f);
   }
   template <class Sum, class F>
@@ -52,11 +57,11 @@ class LateExecutor {
 
   template <class Sweep>
   void sweep(std::size_t count, const Sweep& sweep) const {
-    for_each(count, FinishRow<Sweep>{sweep, row_shares_});
+    for_each(count, FinishRow<Sweep>{sweep, habits_.row_shares});
   }
   template <class Sum, class Sweep>
   void sweep_and_sum(std::size_t count, const Sweep& sweep, Array<Sum>& total) const {
-    sum_into(count, FinishRow<Sweep>{sweep, row_shares_}, total);
+    sum_into(count, FinishRow<Sweep>{sweep, habits_.row_shares}, total);
   }
 
   template <class T>
@@ -69,7 +74,9 @@ class LateExecutor {
   template <class T>
   void reserve(Array<T>& array, std::size_t count) const {
     array.resize(count);
-    later([count, to = array.data()] { spoil(to, count * sizeof(T)); });
+    later([count, to = array.data(), with = habits_.in_memory] {
+      spoil(to, count * sizeof(T), with);
+    });
   }
   template <class T>
   void release(Array<T>& array) const {
@@ -79,12 +86,12 @@ class LateExecutor {
   template <class T>
   void upload(const std::vector<T>& from, Array<T>& to) const {
     to.resize(from.size());
-    late_stream().wait_for_all();
+    if (!from.empty()) late_stream().wait_for_all();
     std::ranges::copy(from, to.data());
   }
   template <class T>
   void download(const Array<T>& from, std::vector<T>& to) const {
-    late_stream().wait_for_all();
+    if (from.size() > 0) late_stream().wait_for_all();
     to.assign(from.data(), from.data() + from.size());
   }
   template <class T>
@@ -126,9 +133,12 @@ class LateExecutor {
     values = std::move(sorted_values);
   }
   void scan(Array<std::uint64_t>& values) const {
-    later([count = values.size(), value = values.data()] {
-      std::exclusive_scan(value, value + count, value, std::uint64_t{0});
+    Array<std::uint64_t> sums;
+    sums.resize(values.size());
+    later([count = values.size(), value = values.data(), to = sums.data()] {
+      std::exclusive_scan(value, value + count, to, std::uint64_t{0});
     });
+    values = std::move(sums);
   }
 
   struct Moment {
@@ -171,20 +181,23 @@ class LateExecutor {
 
   template <class F>
   void loop(std::size_t count, const F& f) const {
-    for (std::size_t k = 0; k < count; ++k) f(order_ == LoopOrder::forward ? k : count - 1 - k);
+    for (std::size_t k = 0; k < count; ++k)
+      f(habits_.order == LoopOrder::forward ? k : count - 1 - k);
   }
-  /// Joined in one order, whatever that of the loop.
+  /// Several indices add to one sum; all are joined in one order, whatever that of the loop.
   template <class Sum, class F>
   Sum sum_of(std::size_t count, const F& f) const {
-    std::vector<Sum> each(count);
-    loop(count, [&](std::size_t k) { f(k, each[k]); });
+    constexpr std::size_t each = 4;
+    std::vector<Sum> sums((count + each - 1) / each);
+    loop(sums.size(), [&](std::size_t s) {
+      for (std::size_t k = s * each; k < std::min(count, (s + 1) * each); ++k) f(k, sums[s]);
+    });
     Sum total;
-    for (const Sum& sum : each) total.join(sum);
+    for (const Sum& sum : sums) total.join(sum);
     return total;
   }
 
-  LoopOrder order_;
-  std::uint32_t row_shares_;
+  Habits habits_;
 };
 
 }  // namespace sabo::test

@@ -17,13 +17,14 @@ LateStream::Place LateStream::place() const {
 
 void LateStream::wait_for(Place place) {
   const std::lock_guard in_order(working_);
-  for (; done_ < place; ++done_) {
+  while (done_ < place) {
     std::function<void()> next;
     {
       const std::lock_guard lock(asking_);
       next = std::move(work_.front());
       work_.pop_front();
     }
+    ++done_;
     next();
   }
 }

@@ -88,8 +88,10 @@ void DeviceBackend<Executor>::hold_driven() {
 
 template <class Executor>
 void DeviceBackend<Executor>::hold_walls() {
+  if (driven_walls_.size() == 0) return;
   using Hold = HoldWall<RowNear>;
   on_.for_each(driven_walls_.size(), AtRow<Hold>{driven_walls_.data(), {view(), RowNear{rows()}}});
+  boundary_copy_.outdate();
 }
 
 template <class Executor>
