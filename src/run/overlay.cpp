@@ -96,7 +96,8 @@ std::vector<MapLine> overlay(const Scene& scene, DamLine dams) {
   }
   for (const InflowPlan& inflow : scene.inflows) {
     lines.push_back({MapLine::Kind::inflow, inflow.name, inflow.line});
-    if (dams == DamLine::standing) lines.push_back({MapLine::Kind::inflow, "", arrow_of(inflow)});
+    if (dams == DamLine::standing)
+      lines.push_back({MapLine::Kind::inflow, "", arrow_of(inflow), false, inflow.name});
   }
   for (const NamedSection& section : scene.sections)
     lines.push_back({MapLine::Kind::section, section.name, section.line});

@@ -8,6 +8,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "io/output/map_line.hpp"
+
 namespace sabo {
 namespace {
 
@@ -55,6 +57,24 @@ TEST_F(CompareRuns, DifferencesAreBMinusAAndSwapTheirSigns) {
   EXPECT_EQ(map_of(folder_ / "ab", "reached").at(5, 5), 3);
   // 5 x 6 cells of 4 m2 are 1 m deeper.
   EXPECT_THAT(file_text(folder_ / "ab/tables/maps.csv"), HasSubstr(",312,120.000\n"));
+}
+
+// Two stretches of wall, left and right of the slit, and their label.
+TEST_F(CompareRuns, ADamOfOneAloneIsDrawnWithAllItsParts) {
+  const auto red_in = [&](const std::string& slit) {
+    MadeRun run;
+    run.keys =
+        "[[structure]]\nname = \"dam\"\nline = [[25, 2], [25, 18]]\nheight = 3\nthickness = 2\n" +
+        slit;
+    run.write(folder_ / "dam");
+    compare_runs(folder_ / "with", folder_ / "dam", folder_ / "drawn");
+    const std::string svg = file_text(folder_ / "drawn/pictures/diff_dep.svg");
+    std::size_t count = 0;
+    const std::string red = style_of(MapLine::Kind::dam).colour;
+    for (std::size_t k = svg.find(red); k != std::string::npos; k = svg.find(red, k + 1)) ++count;
+    return count;
+  };
+  EXPECT_EQ(red_in("[[structure.slit]]\ncentre = 8\nwidth = 4\n"), red_in("") + 1);
 }
 
 TEST_F(CompareRuns, QuantitiesOfOneAloneAreKept) {

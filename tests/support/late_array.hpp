@@ -18,7 +18,7 @@ inline void spoil(void* memory, std::size_t bytes, int with = no_number) {
   if (bytes > 0) std::memset(memory, with, bytes);
 }
 
-constexpr std::align_val_t line{64};  // as the widest records want it
+inline constexpr std::align_val_t line{64};  // as the widest records want it
 
 /// Memory as that of a card: it goes once the work that was asked for before is done.
 struct LateMemory {
