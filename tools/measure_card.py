@@ -57,7 +57,7 @@ def measure(sabo, runs, fine):
 
 
 def step_table(measured):
-    lines = ["| step of a deep layer | particles of the fluid | ns a particle-step | bytes a particle |",
+    lines = ["| step of a deep layer | particles of the fluid | ns a particle-step | bytes a particle, ground included |",
              "|---|---:|---:|---:|"]
     for key, nanoseconds in measured.items():
         found = re.fullmatch(r"card/(\w+)/(\d+)/step", key)

@@ -207,6 +207,13 @@ TEST(Momentum, IsConservedByTheInternalForces) {
   }
 }
 
+// Tests that go through backends() say nothing of one that is missing here.
+TEST(Backends, AreAllThere) {
+  if (!test::cuda_is_missing().empty())
+    GTEST_SKIP() << "tests of all backends leave cuda out: " << test::cuda_is_missing();
+  EXPECT_EQ(test::backends().size(), std::size(test::all_backends));
+}
+
 TEST(Extremes, LeaveOutAParticleInFreeFlight) {
   for (const On on : test::backends()) {
     auto backend = test::make_backend(on, model_of({}));
