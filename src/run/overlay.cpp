@@ -80,7 +80,7 @@ Polygon outline_of_body(const Scene& scene, std::size_t index) {
 
 std::vector<MapLine> overlay(const Scene& scene, DamLine dams) {
   std::vector<MapLine> lines;
-  lines.push_back({MapLine::Kind::path, "", scene.path});
+  lines.push_back({MapLine::Kind::path, "", scene.path, false, "path"});
   for (const NamedZone& zone : scene.zones)
     add_outlines(MapLine::Kind::zone, zone.name, zone.name, zone.polygons, lines);
   for (const CheckDam& dam : scene.dams)

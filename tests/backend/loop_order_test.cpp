@@ -8,7 +8,8 @@
 
 // On a card the indices of a loop are taken in no order, and memory holds whatever was there
 // before. What reads what another index of its loop writes gives other bits from end to begin than
-// from begin to end; what reads what nobody wrote gives others among large numbers than among none.
+// from begin to end; what reads what nobody wrote gives others among large numbers than among
+// not-a-numbers.
 
 namespace sabo {
 namespace {

@@ -59,7 +59,7 @@ TEST_F(CompareRuns, DifferencesAreBMinusAAndSwapTheirSigns) {
   EXPECT_THAT(file_text(folder_ / "ab/tables/maps.csv"), HasSubstr(",312,120.000\n"));
 }
 
-// Two stretches of wall, left and right of the slit, and their label.
+// A stretch of wall more than there are slits, and their label.
 TEST_F(CompareRuns, ADamOfOneAloneIsDrawnWithAllItsParts) {
   const auto red_in = [&](const std::string& slit) {
     MadeRun run;
@@ -74,7 +74,9 @@ TEST_F(CompareRuns, ADamOfOneAloneIsDrawnWithAllItsParts) {
     for (std::size_t k = svg.find(red); k != std::string::npos; k = svg.find(red, k + 1)) ++count;
     return count;
   };
-  EXPECT_EQ(red_in("[[structure.slit]]\ncentre = 8\nwidth = 4\n"), red_in("") + 1);
+  EXPECT_EQ(red_in("[[structure.slit]]\ncentre = 4\nwidth = 2\n"
+                   "[[structure.slit]]\ncentre = 12\nwidth = 2\n"),
+            red_in("") + 2);
 }
 
 TEST_F(CompareRuns, QuantitiesOfOneAloneAreKept) {

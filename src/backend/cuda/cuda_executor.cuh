@@ -133,9 +133,10 @@ struct SumSpace {
 const SumSpace& sum_space();
 
 /// Where code that is written once for hosts and cards has its arrays and runs its loops: here in
-/// the memory of the card, one kernel for each loop, in the order in which they are given. What
-/// returns something or takes a vector waits for the card; nothing else does. Sums have a fixed
-/// order and nothing is added up atomically: the same bits in every run on the same kind of card.
+/// the memory of the card, one kernel for each loop, in the order in which they are given. Values
+/// that are returned, vectors, and memory of the host that is given back wait for the card; loops
+/// do not. Sums have a fixed order and nothing is added up atomically: the same bits in every run
+/// on the same kind of card.
 ///
 /// Loop bodies are structs of plain values and pointers whose operator() is SABO_HD. They run when
 /// the card gets to them: what they point to is the card's.
