@@ -84,22 +84,23 @@ class RunComparison {
   }
 
  private:
+  /// None, and a note, where the case of the run cannot be laid out any more.
+  std::vector<MapLine> lines_of(const FinishedRun& run, const std::string& name) {
+    RunPlan plan = plan_of(run);
+    if (!plan.problem.empty())
+      notes_.push_back(fmt::format("lines of {} are not drawn: {}", name, plan.problem));
+    return std::move(plan.lines);
+  }
+
   /// Lines of a, and those of the structures that only b has.
   std::vector<MapLine> lines_of(const std::vector<FinishedRun>& runs) {
-    std::vector<MapLine> lines;
-    std::size_t of_a = 0;
-    for (std::size_t k = 0; k < runs.size(); ++k) {
-      RunPlan plan = plan_of(runs[k]);
-      if (!plan.problem.empty())
-        notes_.push_back(fmt::format("lines of {} are not drawn: {}", names_[k], plan.problem));
-      for (MapLine& line : plan.lines) {
-        const auto is_there = [&](const MapLine& other) {
-          return other.kind == line.kind && other.name_or_label() == line.name_or_label();
-        };
-        if (std::none_of(lines.begin(), lines.begin() + of_a, is_there))
-          lines.push_back(std::move(line));
-      }
-      if (k == 0) of_a = lines.size();
+    const std::vector<MapLine> of_a = lines_of(runs[0], names_[0]);
+    std::vector<MapLine> lines = of_a;
+    for (MapLine& line : lines_of(runs[1], names_[1])) {
+      const auto is_there = [&](const MapLine& other) {
+        return other.kind == line.kind && other.name_or_label() == line.name_or_label();
+      };
+      if (std::ranges::none_of(of_a, is_there)) lines.push_back(std::move(line));
     }
     return lines;
   }
