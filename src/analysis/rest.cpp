@@ -51,11 +51,15 @@ void RestWatch::update(double time, const Particles& particles) {
   // What has left the domain has moved, too.
   const double moved = sums.gone + released_ - sums.mass;
   state_.has_moved = state_.has_moved || moved > limits_.volume_share * released_;
-  constexpr double rounding = 1e-9;
-  const double enough = limits_.time * (1 - rounding);
-  state_.is_at_rest = state_.has_moved && age >= enough && time - calm_since_ >= enough &&
+  state_.is_at_rest = state_.has_moved && has_lasted(age) && has_lasted(time - calm_since_) &&
                       kept_.front().time >= last_start_ &&
                       state_.moving_share <= limits_.volume_share && state_.creep <= limits_.creep;
+}
+
+/// As long as rest has to.
+bool RestWatch::has_lasted(double duration) const {
+  constexpr double rounding = 1e-9;
+  return duration >= limits_.time * (1 - rounding);
 }
 
 void RestWatch::greet(const Particles& particles) {

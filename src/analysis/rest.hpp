@@ -44,14 +44,16 @@ class RestWatch {
   RestWatch(const RestLimits& limits, double spacing, double reference_density,
             double last_start = 0);
 
-  /// Whether the watch needs to see the particles: a quarter of the time since it last kept them.
-  bool is_due(double time) const { return kept_.empty() || time >= kept_.back().time + step(); }
+  /// How often the watch needs to see the particles at least, s.
+  double interval() const { return limits_.time / 4; }
 
   /// Takes in the particles as they are at `time` (s); times must not decrease. Particles are known
   /// by their number; new ones count as released at their first sight.
   void update(double time, const Particles& particles);
 
   const MotionState& state() const { return state_; }
+  /// Whether the flow may turn out to be at rest when it is next seen, at `time` (s).
+  bool may_find_rest(double time) const { return has_lasted(time - calm_since_); }
 
   template <class Archive>
   void archive(Archive& a) {
@@ -71,7 +73,8 @@ class RestWatch {
   };
   struct Sums;
 
-  double step() const { return limits_.time / 4; }
+  bool is_due(double time) const { return kept_.empty() || time >= kept_.back().time + interval(); }
+  bool has_lasted(double duration) const;
   void keep(double time, const Particles& particles);
   void greet(const Particles& particles);
   Sums sums_over(const Particles& particles, double age) const;

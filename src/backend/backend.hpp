@@ -1,9 +1,11 @@
 #pragma once
 
 #include <functional>
+#include <future>
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "backend/body_load.hpp"
@@ -25,6 +27,17 @@ struct FlowHealth {
   double max_density_ratio = 1;
   bool is_finite = true;  ///< no NaN or infinity in position, velocity or density
 };
+
+/// The fluid as it was at some time, while the flow goes on: get() waits until the host has it.
+/// From any thread, each with an object of its own; to be asked for before the backend goes.
+using KeptFluid = std::shared_future<Particles>;
+
+/// What the host has.
+inline KeptFluid kept(Particles fluid) {
+  std::promise<Particles> promise;
+  promise.set_value(std::move(fluid));
+  return promise.get_future();
+}
 
 /// The fluid at the head of an archived backend.
 struct ArchivedFluid {
@@ -58,10 +71,9 @@ class Backend {
   /// after rows have changed.
   virtual Particles& fluid() = 0;
   virtual Particles& boundary() = 0;
-  /// Starts a copy of the fluid for the host to keep. The function that is returned waits for it
-  /// and fills `into`, which must outlive it; to be called once, from any thread, before another
-  /// copy is asked for.
-  virtual std::function<void()> copy_fluid(Particles& into) = 0;
+  /// A copy of the fluid as it is, for the host to keep; may be the one that was asked for last, if
+  /// nothing has changed.
+  virtual KeptFluid keep_fluid() = 0;
   /// Where the fluid is: less than all that fluid() fetches, and nothing to hand back. Good until
   /// the next sweep or change of rows.
   virtual std::span<const Vec3d> positions() = 0;

@@ -18,10 +18,7 @@ class HostBackend : public Backend {
   explicit HostBackend(const FlowModel& model);
 
   Particles& fluid() override { return fluid_; }
-  std::function<void()> copy_fluid(Particles& into) override {
-    into = fluid_;
-    return [] {};
-  }
+  KeptFluid keep_fluid() override { return kept(fluid_); }
   std::span<const Vec3d> positions() override { return fluid_.position; }
   Places places() override { return fluid_; }
   Particles& boundary() override { return boundary_; }

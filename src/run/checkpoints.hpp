@@ -13,7 +13,7 @@
 namespace sabo {
 
 /// Version of what a checkpoint holds: to be raised with every change of an archive().
-inline constexpr std::uint32_t checkpoint_version = 6;
+inline constexpr std::uint32_t checkpoint_version = 7;
 
 /// What a checkpoint says of itself and of its run.
 struct CheckpointHead {

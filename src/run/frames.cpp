@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <list>
-#include <memory>
 #include <span>
 #include <system_error>
 #include <type_traits>
@@ -20,14 +19,6 @@ std::string title(const char* name, const char* unit) {
   return *unit ? std::string(name) + " [" + unit + "]" : std::string(name);
 }
 
-/// A frame and what it looks at.
-struct OwnedFrame {
-  VtpFrame frame;
-  std::vector<Vec3f> points;
-  std::list<std::vector<float>> floats;
-  std::list<std::vector<std::uint32_t>> numbers;
-};
-
 std::vector<float> flattened(const std::vector<Vec3d>& values) {
   std::vector<float> flat;
   flat.reserve(3 * values.size());
@@ -35,46 +26,46 @@ std::vector<float> flattened(const std::vector<Vec3d>& values) {
   return flat;
 }
 
-std::shared_ptr<const OwnedFrame> owned_frame(double time, const Vec3d& origin,
-                                              const Particles& fluid) {
-  const auto owned = std::make_shared<OwnedFrame>();
-  VtpFrame& frame = owned->frame;
+/// A frame of a fluid, at which it looks, and numbers of that in single precision.
+struct FluidFrame {
+  FluidFrame(double time, const Vec3d& origin, const Particles& fluid);
+  FluidFrame(const FluidFrame&) = delete;
+
+  VtpFrame frame;
+  std::vector<Vec3f> points;
+  std::list<std::vector<float>> floats;
+};
+
+FluidFrame::FluidFrame(double time, const Vec3d& origin, const Particles& fluid) {
   frame.time = time;
   frame.origin = origin;
-  owned->points.reserve(fluid.size());
-  for (const Vec3d& x : fluid.position)
-    owned->points.push_back({float(x.x), float(x.y), float(x.z)});
-  frame.points = owned->points;
+  points.reserve(fluid.size());
+  for (const Vec3d& x : fluid.position) points.push_back({float(x.x), float(x.y), float(x.z)});
+  frame.points = points;
 
-  const auto add = [&](std::string name, int components, std::vector<float> values) {
-    owned->floats.push_back(std::move(values));
-    const std::span<const float> kept(owned->floats.back());
+  const auto add = [this](std::string name, int components, std::vector<float> values) {
+    const std::span<const float> kept(floats.emplace_back(std::move(values)));
     frame.arrays.push_back({std::move(name), components, kept});
   };
   fluid.for_each_shown_field(
       [&](const char* field, const char* unit, const char*, const auto& values) {
         using Value = typename std::decay_t<decltype(values)>::value_type;
-        if constexpr (std::is_same_v<Value, std::uint32_t>) {
-          owned->numbers.push_back(values);
-          const std::span<const std::uint32_t> kept(owned->numbers.back());
-          frame.arrays.push_back({title(field, unit), 1, kept});
-        } else if constexpr (std::is_same_v<Value, double>) {
+        if constexpr (std::is_same_v<Value, std::uint32_t>)
+          frame.arrays.push_back({title(field, unit), 1, std::span<const std::uint32_t>(values)});
+        else if constexpr (std::is_same_v<Value, double>)
           add(title(field, unit), 1, {values.begin(), values.end()});
-        } else if (&values != &fluid.position) {
+        else if (&values != &fluid.position)
           add(title(field, unit), 3, flattened(values));
-        }
       });
-  return owned;
 }
 
 }  // namespace
 
-Frames::Frames(const Scene& scene, const RunFolder& folder, int threads, bool are_beside_steps)
+Frames::Frames(const Scene& scene, const RunFolder& folder, int threads)
     : folder_(folder.frames()),
       origin_(scene.frame.origin()),
       list_(folder.frames() / "flow.pvd"),
-      threads_(threads),
-      are_beside_steps_(are_beside_steps) {
+      threads_(threads) {
   write_surface_vtp(folder_ / "ground.vtp", scene.surface->elevation(), origin_);
   if (!scene.dams.empty() || !scene.bodies.empty()) write_bodies(scene);
 }
@@ -104,17 +95,18 @@ void Frames::take_back() const {
   for (std::size_t k = count_; std::filesystem::remove(file(k), error); ++k) continue;
 }
 
-void Frames::write(double time, const Particles& fluid) {
-  const auto owned = owned_frame(time, origin_, fluid);
-  const auto write = [this, owned, number = count_] {
-    write_particles_vtp(file(number), owned->frame, threads_);
-    list_.add(owned->frame.time, file(number).filename().string());
-  };
-  if (are_beside_steps_)
-    writing_.start(write);  // one that fails leaves a gap in the numbers, not in the list
-  else
-    write();
-  ++count_;
+void Frames::write_frame(std::size_t number, double time, const Particles& fluid) {
+  write_particles_vtp(file(number), FluidFrame(time, origin_, fluid).frame, threads_);
+  list_.add(time, file(number).filename().string());
+}
+
+void Frames::write(double time, Backend& backend) {
+  const std::size_t number =
+      count_++;  // one that fails leaves a gap in the numbers, not in the list
+  if (backend.device_bytes() == 0) return write_frame(number, time, backend.fluid());
+  writing_.start([this, number, time, fluid = backend.keep_fluid()] {
+    write_frame(number, time, fluid.get());
+  });
 }
 
 }  // namespace sabo

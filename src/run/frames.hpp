@@ -2,9 +2,9 @@
 
 #include <cstddef>
 
+#include "backend/backend.hpp"
 #include "base/background.hpp"
 #include "io/output/vtp.hpp"
-#include "particles/particles.hpp"
 #include "run/run_folder.hpp"
 #include "run/scene.hpp"
 
@@ -15,11 +15,12 @@ namespace sabo {
 class Frames {
  public:
   /// Writes ground.vtp and, if there are bodies, bodies.vtp. Frames are written by `threads`
-  /// (host_threads()); beside the steps if the host has little to do for these.
-  Frames(const Scene& scene, const RunFolder& folder, int threads, bool are_beside_steps);
+  /// (host_threads()).
+  Frames(const Scene& scene, const RunFolder& folder, int threads);
 
-  /// Throws RunError, for an earlier frame that was written beside the steps too.
-  void write(double time, const Particles& fluid);
+  /// A frame of the fluid as it is; beside the steps where these leave the host to itself. Throws
+  /// RunError, for an earlier frame that was written beside the steps too.
+  void write(double time, Backend& backend);
 
   /// Waits until all are written. Throws RunError.
   void settle() { writing_.settle(); }
@@ -36,6 +37,7 @@ class Frames {
 
  private:
   std::filesystem::path file(std::size_t number) const;
+  void write_frame(std::size_t number, double time, const Particles& fluid);
   void take_back() const;
   void write_bodies(const Scene& scene) const;
 
@@ -44,7 +46,6 @@ class Frames {
   PvdWriter list_;
   std::size_t count_ = 0;
   int threads_;
-  bool are_beside_steps_;
   Background writing_;  // the last: it ends before what it works on
 };
 

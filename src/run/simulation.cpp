@@ -48,7 +48,7 @@ class Simulation {
         flow_(c, scene, start.fluid, scene.inflows),
         folder_(folder),
         recorder_(c, scene, flow_.model(), folder_),
-        frames_(scene, folder_, flow_.model().threads, flow_.backend().device_bytes() > 0),
+        frames_(scene, folder_, flow_.model().threads),
         checkpoints_(folder.checkpoints()),
         head_(checkpoint_head(c, scene)),
         row_due_(start.time),
@@ -111,14 +111,14 @@ class Simulation {
       }
       if (time >= frame_due_ || is_over || is_stopped) {
         const PassClock clock(recording_, "frames");
-        frames_.write(time, flow_.backend().fluid());
+        frames_.write(time, flow_.backend());
         frame_due_ += case_.run.output_interval;
       }
       if (is_stopped && !is_over) facts_.end = RunEnd::interrupted;
       if (time < duration && is_empty) facts_.reason = "all of the flow has left the map";
       if (time < duration && is_at_rest && !is_empty)
         facts_.reason = rest_reason(recorder_.motion(), case_.run);
-      if (is_over || is_stopped) return frames_.settle();
+      if (is_over || is_stopped) return settle();
       write_due_checkpoint();
 
       report_ = flow_.stepper().step(duration - time);
@@ -126,6 +126,12 @@ class Simulation {
       record_step();
       tell_progress();
     }
+  }
+
+  /// Waits for what is done beside the steps. What it throws ends the run.
+  void settle() {
+    recorder_.settle();
+    frames_.settle();
   }
 
   void record_step() {
@@ -177,7 +183,7 @@ class Simulation {
   /// A run goes on without one that cannot be written.
   void write_checkpoint(bool is_kept) {
     if (case_.run.checkpoint_interval == 0 || flow_.stepper().neighbours_are_due()) return;
-    frames_.settle();  // what it throws ends the run
+    settle();
     head_.time = flow_.stepper().time();
     head_.steps = flow_.stepper().steps();
     try {
@@ -199,7 +205,7 @@ class Simulation {
     };
     told("an earlier frame", [this] { frames_.settle(); });
     told("its last frame", [this] {
-      frames_.write(flow_.stepper().time(), flow_.backend().fluid());
+      frames_.write(flow_.stepper().time(), flow_.backend());
       frames_.settle();
     });
   }

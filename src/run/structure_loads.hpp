@@ -4,14 +4,10 @@
 #include <vector>
 
 #include "analysis/approach.hpp"
-#include "analysis/load_peak.hpp"
-#include "analysis/load_profile.hpp"
-#include "backend/backend.hpp"
-#include "case/load_case.hpp"
 #include "io/output/csv.hpp"
+#include "run/load_account.hpp"
 #include "run/run_folder.hpp"
-#include "run/scene.hpp"
-#include "solver/stepper.hpp"
+#include "run/series_row.hpp"
 
 namespace sabo {
 
@@ -37,44 +33,36 @@ struct LoadSummary {
   }
 };
 
-/// One row of a structure, for the pictures.
-struct LoadRow {
-  double force = 0;                     ///< horizontal, N
-  double hydrostatic = 0, dynamic = 0;  ///< by the design formulas, N
-};
-
-/// Measures the forces on the dams and bodies of a scene and writes series/loads.csv and
-/// series/pressure_profiles.csv.
+/// Writes what the structures of a scene have to bear, series/loads.csv and
+/// series/pressure_profiles.csv, beside what comes of the flow before them by design formulas.
 class StructureLoads {
  public:
   StructureLoads(const LoadCase& settings, const Scene& scene, const FlowModel& model,
                  const RunFolder& folder);
-  ~StructureLoads();
 
-  bool is_empty() const { return structures_.empty(); }
+  bool is_empty() const { return summaries_.empty(); }
 
-  /// After every step.
-  void after_step(const Stepper& stepper, const StepReport& report, Backend& backend);
-
-  /// A row of each file: means since the last one. One entry per structure.
-  std::vector<LoadRow> write_row(double time, const Stepper& stepper, Backend& backend,
+  /// A row of each file. One entry per structure.
+  std::vector<LoadRow> write_row(double time, const std::vector<MeanLoad>& means,
                                  const Columns& columns);
 
-  std::vector<LoadSummary> summaries() const;
+  /// One entry per structure.
+  const std::vector<LoadSummary>& summaries() const { return summaries_; }
 
   template <class Archive>
-  void archive(Archive& a);
+  void archive(Archive& a) {
+    a.fixed(summaries_);
+    a(loads_csv_, profiles_csv_);
+  }
 
  private:
-  struct Structure;
-
-  LoadRow write_structure(Structure& structure, double time, const BodyLoad& total,
+  LoadRow write_structure(std::size_t number, double time, const MeanLoad& mean,
                           const Columns& columns, std::vector<double>& row);
 
   LoadCase settings_;
-  double density_, gravity_, spacing_;
-  double last_row_ = 0;  // s
-  std::vector<Structure> structures_;
+  double density_, gravity_;
+  std::vector<Approach> approaches_;
+  std::vector<LoadSummary> summaries_;
   CsvWriter loads_csv_;
   CsvWriter profiles_csv_;
 };

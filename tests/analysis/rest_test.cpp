@@ -31,8 +31,11 @@ class Flow {
   /// First time at which the watch says rest, looked at each half second; -1 for never.
   double rest_within(double end, RestWatch watch) const {
     for (double time = 0; time <= end; time += 0.5) {
+      const bool may_find_rest = watch.may_find_rest(time);
       watch.update(time, at(time));
-      if (watch.state().is_at_rest) return time;
+      if (!watch.state().is_at_rest) continue;
+      EXPECT_TRUE(may_find_rest);
+      return time;
     }
     return -1;
   }
@@ -52,6 +55,18 @@ TEST(Rest, ComesWhenTheTimeHasPassedSinceTheLastMotion) {
   const Flow flow([](int, double time) { return slide(time); });
   // The first kept state at rest is that at 20 s: the watch keeps one each 2.5 s.
   EXPECT_EQ(flow.rest_within(60, watch()), 30);
+}
+
+TEST(Rest, IsNotToBeFoundBeforeTheTimeHasPassed) {
+  const Flow flow([](int, double time) { return slide(time); });
+  RestWatch watcher = watch();
+  for (double time = 0; time < 20; time += 0.5) {
+    watcher.update(time, flow.at(time));
+    EXPECT_FALSE(watcher.may_find_rest(time + 0.5));
+  }
+  watcher.update(20, flow.at(20));  // energy is low from here on
+  EXPECT_FALSE(watcher.may_find_rest(29));
+  EXPECT_TRUE(watcher.may_find_rest(29.5));
 }
 
 TEST(Rest, IsNotWhatHasNotMovedYet) {

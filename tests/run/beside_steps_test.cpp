@@ -1,9 +1,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
+#include <map>
 #include <memory>
-#include <sstream>
 #include <string>
 
 #include "support/device_on_host.hpp"
@@ -11,6 +10,7 @@
 #include <gtest/gtest.h>
 
 #include "base/error.hpp"
+#include "io/output/read_file.hpp"
 #include "run/flow.hpp"
 #include "run/frames.hpp"
 #include "run/load_case.hpp"
@@ -35,28 +35,69 @@ class BesideSteps : public testing::Test {
     EXPECT_TRUE(faults.empty());
   }
 
-  /// Records 200 steps of the release; the greatest depths.
-  Raster peak_depth(std::unique_ptr<Backend> backend) {
-    const FlowModel model = backend->model();
-    Ground ground(*scene_.surface, scene_.dams, ground_settings(model), scene_.bodies);
-    Domain domain(ground, {}, static_cast<std::uint32_t>(scene_.release.size()));
-    backend->fluid() = scene_.release;
-    const auto stepper = make_stepper(case_.numerics, *backend, &domain);
-    const RunFolder folder(folder_ / "run", FormerRun::replaced);
-    Recorder recorder(case_, scene_, model, folder);
-    recorder.start(0, scene_.release, scene_.release);
-    for (int k = 0; k < 200; ++k) recorder.after_step(*stepper, stepper->step(1), *backend);
-    way_ = norm(backend->fluid().position.front() - scene_.release.position.front());
-    recorder.finish(stepper->time(), backend->fluid());
-    return recorder.maps().peak_depth();
+  FlowModel model() const {
+    return flow_model(case_.material, case_.numerics, scene_.greatest_depth());
   }
 
-  std::string frame(const RunFolder& folder, int number) const {
-    std::ostringstream text;
-    text << std::ifstream(folder.frames() / ("flow_0000" + std::to_string(number) + ".vtp"),
-                          std::ios::binary)
-                .rdbuf();
-    return text.str();
+  /// The release on its way, recorded.
+  struct Run {
+    Run(const BesideSteps& test, std::unique_ptr<Backend> on, const RunFolder& folder)
+        : ground(*test.scene_.surface, test.scene_.dams, ground_settings(test.model()),
+                 test.scene_.bodies),
+          domain(ground, {}, static_cast<std::uint32_t>(test.scene_.release.size())),
+          backend(filled(std::move(on), test.scene_.release)),
+          stepper(make_stepper(test.case_.numerics, *backend, &domain)),
+          recorder(test.case_, test.scene_, test.model(), folder),
+          frames(test.scene_, folder, 2) {
+      recorder.start(0, test.scene_.release, test.scene_.release);
+    }
+
+    static std::unique_ptr<Backend> filled(std::unique_ptr<Backend> backend,
+                                           const Particles& fluid) {
+      backend->fluid() = fluid;
+      return backend;
+    }
+    void step() {
+      report = stepper->step(1);
+      recorder.after_step(*stepper, report, *backend);
+    }
+    void write_row() { recorder.write_row(*stepper, report, backend->health(), *backend); }
+
+    Ground ground;
+    Domain domain;
+    std::unique_ptr<Backend> backend;
+    std::unique_ptr<Stepper> stepper;
+    StepReport report;
+    Recorder recorder;
+    Frames frames;
+  };
+
+  /// Of 200 steps, with a row and a frame each twenty, the greatest depths.
+  Raster recorded(std::unique_ptr<Backend> backend, const RunFolder& folder) {
+    Run run(*this, std::move(backend), folder);
+    for (int k = 0; k < 200; ++k) {
+      run.step();
+      if (k % 20 != 0) continue;
+      run.write_row();
+      run.frames.write(run.stepper->time(), *run.backend);
+    }
+    run.recorder.settle();
+    run.frames.settle();
+    EXPECT_EQ(run.recorder.rows().size(), 10u);
+    const Particles& fluid = run.backend->fluid();
+    way_ = norm(fluid.position.front() - scene_.release.position.front());
+    run.recorder.finish(run.stepper->time(), fluid);
+    return run.recorder.maps().peak_depth();
+  }
+
+  /// All files of a run, by their path in its folder.
+  static std::map<std::string, std::string> files_of(const RunFolder& folder) {
+    std::map<std::string, std::string> files;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(folder.root()))
+      if (entry.is_regular_file())
+        files[entry.path().lexically_relative(folder.root()).string()] =
+            read_file(entry.path(), 100'000'000).value_or("");
+    return files;
   }
 
   TemporaryFolder folder_;
@@ -72,10 +113,11 @@ class SeemsOnHost : public test::DeviceOnHost {
   std::size_t device_bytes() const override { return 0; }
 };
 
-TEST_F(BesideSteps, MapsAreTheSame) {
-  const FlowModel model = flow_model(case_.material, case_.numerics, scene_.greatest_depth());
-  const Raster beside = peak_depth(std::make_unique<test::DeviceOnHost>(model));
-  const Raster at_once = peak_depth(std::make_unique<SeemsOnHost>(model));
+TEST_F(BesideSteps, MapsRowsAndFramesAreTheSame) {
+  const RunFolder folder(folder_ / "beside", FormerRun::replaced);
+  const RunFolder at_once_folder(folder_ / "at-once", FormerRun::replaced);
+  const Raster beside = recorded(std::make_unique<test::DeviceOnHost>(model()), folder);
+  const Raster at_once = recorded(std::make_unique<SeemsOnHost>(model()), at_once_folder);
   EXPECT_GT(way_, 10);
   double greatest = 0;
   ASSERT_EQ(beside.values.size(), at_once.values.size());
@@ -86,31 +128,58 @@ TEST_F(BesideSteps, MapsAreTheSame) {
     EXPECT_EQ(beside.values[cell], at_once.values[cell]);
   }
   EXPECT_GT(greatest, 3);  // m
+
+  const auto files = files_of(folder), expected = files_of(at_once_folder);
+  ASSERT_TRUE(expected.contains("frames/flow_00009.vtp"));
+  EXPECT_NE(expected.at("frames/flow_00000.vtp"), expected.at("frames/flow_00009.vtp"));
+  for (const char* series : {"front", "volumes", "energy", "rest", "solver"})
+    EXPECT_EQ(std::ranges::count(expected.at(std::string("series/") + series + ".csv"), '\n'), 11);
+  EXPECT_EQ(files, expected);
 }
 
-TEST_F(BesideSteps, FramesAreTheSame) {
-  Particles later = scene_.release;
-  for (Vec3d& x : later.position) x.x += 1;
-  std::string written[2][2];
-  for (const bool are_beside : {false, true}) {
-    const RunFolder folder(folder_ / "run", FormerRun::replaced);
-    Frames frames(scene_, folder, 2, are_beside);
-    frames.write(0, scene_.release);
-    frames.write(1, later);
-    frames.settle();
-    for (int k = 0; k < 2; ++k) written[are_beside][k] = frame(folder, k);
-  }
-  EXPECT_GT(written[0][0].size(), 1000u);
-  EXPECT_NE(written[0][0], written[0][1]);
-  for (int k = 0; k < 2; ++k) EXPECT_EQ(written[1][k], written[0][k]);
+// By limits that are so wide that the flow rests once it has moved by a spacing.
+TEST_F(BesideSteps, RestIsFoundAtTheSameStep) {
+  case_.run.rest_time = 0.5;
+  case_.run.rest_speed = 100;
+  case_.run.rest_volume = 0.9;
+  case_.run.rest_energy = 1;
+  case_.run.rest_creep = 1e6;
+  const RunFolder folder(folder_ / "run", FormerRun::replaced);
+  const auto steps_to_rest = [&](std::unique_ptr<Backend> backend) {
+    Run run(*this, std::move(backend), folder);
+    while (!run.recorder.motion().is_at_rest && run.stepper->steps() < 1000) run.step();
+    return run.stepper->steps();
+  };
+  const std::size_t beside = steps_to_rest(std::make_unique<test::DeviceOnHost>(model()));
+  EXPECT_EQ(beside, steps_to_rest(std::make_unique<SeemsOnHost>(model())));
+  EXPECT_GT(beside, 10u);
+  EXPECT_LT(beside, 1000u);
+}
+
+TEST_F(BesideSteps, ARowThatCannotBeIsToldOfBeforeItIsWritten) {
+  const RunFolder folder(folder_ / "run", FormerRun::replaced);
+  Run run(*this, std::make_unique<test::DeviceOnHost>(model()), folder);
+  run.step();
+  run.write_row();
+  for (Vec3d& velocity : run.backend->fluid().velocity) velocity.x += 30;  // from nowhere
+  run.backend->find_neighbours();
+  run.step();
+  EXPECT_NO_THROW(run.write_row());
+  EXPECT_THROW(run.recorder.settle(), RunError);
+  EXPECT_NO_THROW(run.recorder.settle());
+  EXPECT_EQ(run.recorder.rows().size(), 1u);
+  EXPECT_EQ(std::ranges::count(files_of(folder).at("series/energy.csv"), '\n'), 2);
 }
 
 TEST_F(BesideSteps, AFrameThatCannotBeWrittenIsToldOf) {
+  test::DeviceOnHost backend(model());
+  backend.fluid() = scene_.release;
+  backend.find_neighbours();
   const RunFolder folder(folder_ / "run", FormerRun::replaced);
-  Frames frames(scene_, folder, 2, true);
+  Frames frames(scene_, folder, 2);
   std::filesystem::remove_all(folder.frames());
-  frames.write(0, scene_.release);
-  EXPECT_THROW(frames.write(1, scene_.release), RunError);
+  frames.write(0, backend);
+  EXPECT_THROW(frames.write(1, backend), RunError);
   EXPECT_NO_THROW(frames.settle());
 }
 

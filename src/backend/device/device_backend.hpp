@@ -37,7 +37,7 @@ class DeviceBackend : public Backend {
 
   Particles& fluid() override { return fetched(fluid_, fluid_copy_); }
   Particles& boundary() override { return fetched(boundary_, boundary_copy_); }
-  std::function<void()> copy_fluid(Particles& into) override;
+  KeptFluid keep_fluid() override;
   std::span<const Vec3d> positions() override;
   Places places() override;
   void change_boundary(const BoundaryChange& change) override;
@@ -113,7 +113,8 @@ class DeviceBackend : public Backend {
     bool is_current = true;
     bool is_lent = false;     // the host may have changed it
     bool has_places = false;  // positions_copy_, of the fluid, is current
-    void outdate() { is_current = is_lent = has_places = false; }
+    bool is_kept = false;     // kept_ is
+    void outdate() { is_current = is_lent = has_places = is_kept = false; }
   };
 
   static std::size_t count(const DeviceParticles<Executor>& set, const Copy& copy) {
@@ -245,7 +246,7 @@ class DeviceBackend : public Backend {
   mutable bool has_new_forces_ = false;
 
   StagedParticles<Executor> staged_;
-  std::optional<typename Executor::Moment> staged_then_;  // when staged_ is there
+  KeptFluid kept_;  // out of staged_, once somebody has waited for it
 
   typename Executor::template StagingArray<Vec3d> positions_copy_;
   std::vector<std::uint32_t> ids_copy_;  // empty until they are asked for in the present order

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <future>
 #include <span>
 #include <vector>
 
@@ -19,18 +20,19 @@ Particles& DeviceBackend<Executor>::fetched(DeviceParticles<Executor>& from, Cop
   return copy.particles;
 }
 
+/// Whoever asks first takes the copy out of the memory where the executor leaves it.
 template <class Executor>
-std::function<void()> DeviceBackend<Executor>::copy_fluid(Particles& into) {
-  if (fluid_copy_.is_current) {
-    into = fluid_copy_.particles;
-    return [] {};
-  }
+KeptFluid DeviceBackend<Executor>::keep_fluid() {
+  if (fluid_copy_.is_current) return kept(fluid_copy_.particles);
+  if (fluid_copy_.is_kept) return kept_;
+  if (kept_.valid()) kept_.wait();  // until the one before is out of there
   fluid_.start_download(on_, staged_);
-  staged_then_.emplace(on_.now());
-  return [this, &into] {
-    on_.await(*staged_then_);
-    staged_.copy_to(into);
-  };
+  kept_ = std::async(std::launch::deferred, [this, then = on_.now()] {
+    on_.await(then);
+    return staged_.particles();
+  });
+  fluid_copy_.is_kept = true;
+  return kept_;
 }
 
 template <class Executor>

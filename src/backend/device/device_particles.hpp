@@ -67,11 +67,13 @@ struct StagedParticles {
   SABO_PARTICLE_FIELDS(SABO_DECLARE_STAGED)
 #undef SABO_DECLARE_STAGED
 
-  void copy_to(Particles& to) const {
+  Particles particles() const {
+    Particles copy;
 #define SABO_COPY_STAGED(type, name, unit, meaning, is_shown) \
-  to.name.assign(name.data(), name.data() + name.size());
+  copy.name.assign(name.data(), name.data() + name.size());
     SABO_PARTICLE_FIELDS(SABO_COPY_STAGED)
 #undef SABO_COPY_STAGED
+    return copy;
   }
 };
 
