@@ -1,7 +1,5 @@
 #pragma once
 
-#include <cstddef>
-
 #include "base/host_device.hpp"
 
 namespace sabo {
@@ -28,12 +26,13 @@ struct HeatAccount {
   NumericalHeat numerical;
 };
 
-/// Enters the heat of a step where it was summed up.
-template <class Heat>
+/// Enters what has been summed up over a step.
 struct EnterHeat {
-  const Heat* heat;
   HeatAccount* account;
-  SABO_HD void operator()(std::size_t) const { heat->enter(*account); }
+  template <class Heat>
+  SABO_HD void operator()(const Heat& heat) const {
+    heat.enter(*account);
+  }
 };
 
 }  // namespace sabo

@@ -114,7 +114,7 @@ void HostBackend::choose_step(const StepRule& rule, double longest) {
   const Fastest fastest = find_fastest();
   std::visit(
       [&](const auto& by) {
-        ChooseStep<std::decay_t<decltype(by)>>{by, longest, &fastest, &step_}(0);
+        ChooseStep<std::decay_t<decltype(by)>>{by, longest, &step_}(fastest);
       },
       rule);
 }

@@ -37,9 +37,9 @@ class HostExecutor {
   Sum reduce(std::size_t count, const F& f) const {
     return blocked_sum<Sum>(count, threads_, f);
   }
-  template <class Sum, class F>
-  void sum_into(std::size_t count, const F& f, Array<Sum>& total) const {
-    total.assign(1, reduce<Sum>(count, f));
+  template <class Sum, class F, class Then>
+  void sum_up(std::size_t count, const F& f, const Then& then) const {
+    then(reduce<Sum>(count, f));
   }
 
   template <class T>

@@ -3,6 +3,7 @@
 #include "backend/chosen_step.hpp"
 #include "backend/flow_view.hpp"
 #include "backend/heat_account.hpp"
+#include "backend/store_sum.hpp"
 #include "backend/sweeps/flow_sums.hpp"
 #include "backend/viscous_solver.hpp"
 #include "physics/pair/viscous_flux.hpp"
@@ -26,12 +27,13 @@ struct VelocityView {
   }
 };
 
-/// The guess keeps the viscous acceleration of the last step.
+/// The guess keeps the viscous acceleration of the last step. Adds mass and wall drag over the
+/// step, kg.
 template <class T>
 struct GuessVelocity {
   VelocityView<T> on;
   T* diagonal;
-  SABO_HD void operator()(std::size_t k) const {
+  SABO_HD void operator()(std::size_t k, Total& inertia) const {
     const std::size_t i = on.solver.rows[k];
     const Vec3d g = on.pushed(i) + on.dt() * on.flow.fluid.drag[i];
     on.guess[i] = g;
@@ -39,6 +41,7 @@ struct GuessVelocity {
     on.mass[i] = T(on.flow.fluid.mass[i]);
     on.drag[i] = T(on.flow.wall_drag[i]);
     diagonal[i] = on.mass[i] + T(on.dt()) * (on.conductance_sum[i] + on.drag[i]);
+    inertia.value += on.flow.fluid.mass[i] + on.dt() * on.flow.wall_drag[i];
   }
 };
 
@@ -61,23 +64,12 @@ struct WithdrawVelocity {
 template <class T>
 struct FindResidual {
   VelocityView<T> on;
-  SABO_HD void operator()(std::size_t k) const {
-    const std::size_t i = on.solver.rows[k];
+  SABO_HD Quad<T> operator()(std::size_t i) const {
     const WallShare& wall = on.flow.wall[i];
     const double carried = wall.share > 0 ? on.dt() * on.flow.wall_drag[i] / wall.share : 0;
     const Vec3d r = on.flow.fluid.mass[i] * (on.pushed(i) - on.guess[i]) + carried * wall.velocity;
     const Quad<T>& q = on.solver.product[i];
-    on.solver.residual[i] = {T(r.x) - q.x, T(r.y) - q.y, T(r.z) - q.z};
-  }
-};
-
-/// Mass and wall drag over the step, kg.
-template <class T>
-struct FindInertia {
-  VelocityView<T> on;
-  SABO_HD void operator()(std::size_t k, Total& sum) const {
-    const std::size_t i = on.solver.rows[k];
-    sum.value += on.flow.fluid.mass[i] + on.dt() * on.flow.wall_drag[i];
+    return {T(r.x) - q.x, T(r.y) - q.y, T(r.z) - q.z};
   }
 };
 
@@ -88,30 +80,21 @@ struct ViscousHeat {
   SABO_HD void enter(HeatAccount& account) const { account.viscosity += value; }
 };
 
-/// What the solve has left undone, as one change of velocity for all.
-struct FindOwed {
-  Vec3d left;
-  const Total* inertia;
-  Vec3d* owed;
-  SABO_HD void operator()(std::size_t) const {
-    const double all = inertia->value;
-    *owed = all > 0 ? (1 / all) * left : Vec3d{};
-  }
-};
-
-/// The new velocity, and the viscous force times the mean velocity of the step, J. With what it
-/// takes from the pushed velocity, the heat of a creeping flow would be that of dt g, which it
-/// never reaches.
+/// The new velocity, with what the solve has left undone as one change for all, and the viscous
+/// force times the mean velocity of the step, J. With what it takes from the pushed velocity, the
+/// heat of a creeping flow would be that of dt g, which it never reaches.
 template <class T>
 struct TakeVelocity {
   VelocityView<T> on;
-  const Vec3d* owed;
+  Vec3d left;  ///< undone, kg m/s
+  const Total* inertia;
   SABO_HD void operator()(std::size_t k, ViscousHeat& heat) const {
+    const Vec3d owed = inertia->value > 0 ? (1 / inertia->value) * left : Vec3d{};
     const std::size_t i = on.solver.rows[k];
     const Quad<T>& c = on.solver.change[i];
     Vec3d& velocity = on.flow.fluid.velocity[i];
     const Vec3d before = on.pushed(i);
-    const Vec3d after = on.guess[i] + Vec3d{double(c.x), double(c.y), double(c.z)} + *owed;
+    const Vec3d after = on.guess[i] + Vec3d{double(c.x), double(c.y), double(c.z)} + owed;
     heat.value += 0.5 * on.flow.fluid.mass[i] * dot(before - after, velocity + after);
     on.flow.fluid.drag[i] = (1 / on.dt()) * (after - before);
     velocity = after;
@@ -137,7 +120,6 @@ class VelocityStep {
   /// Of the moments of the conductances (physics/pair/viscous_flux.hpp), for the product.
   typename Executor::template Array<Sym3<T>> inverse_root;
   ViscousSolver<T, Executor> solver;
-  typename Executor::template Array<ViscousHeat> heat;  ///< one: of a step that converged, out
 
   /// All rows start from zero.
   void reset(const Executor& on, std::size_t particles) {
@@ -145,18 +127,19 @@ class VelocityStep {
       on.zero(*numbers, particles);
     on.zero(inverse_root, particles);
     on.zero(guess_, particles);
-    on.zero(owed_, 1);
+    on.zero(inertia_, 1);
     solver.reset(on, particles);
   }
 
   /// `multiply(mass, drag, progress)` sets solver.product to (mass + dt K + dt drag)
   /// solver.direction, and solver.curvature; masses in kg, drags of the walls in kg/s. It may
   /// leave that out once `progress`, where there is one, has ended. `step` is where the flow is.
-  /// Driven particles keep their velocity; particles in neither list are at rest.
-  template <class Multiply>
+  /// Driven particles keep their velocity; particles in neither list are at rest. Of a step that
+  /// has converged take_heat(ViscousHeat) is called, there too.
+  template <class Multiply, class TakeHeat>
   ViscousSolve advance(const Executor& on, const FlowView& flow, RowList rows, RowList driven,
                        const ChosenStep* step, const VelocityTolerance& tolerance,
-                       int most_iterations, const Multiply& multiply) {
+                       int most_iterations, const Multiply& multiply, const TakeHeat& take_heat) {
     const VelocityView<T> view{flow,
                                solver.view(rows, mass_.data()),
                                conductance_sum.data(),
@@ -164,23 +147,23 @@ class VelocityStep {
                                mass_.data(),
                                drag_.data(),
                                step};
-    on.for_each(rows.count, GuessVelocity<T>{view, solver.diagonal.data()});
+    on.template sum_up<Total>(rows.count, GuessVelocity<T>{view, solver.diagonal.data()},
+                              StoreSum<Total>{inertia_.data()});
     on.for_each(driven.count, AtRow<GiveVelocity<T>>{driven.index, {view}});
     multiply(none_.data(), drag_.data(), nullptr);
     on.for_each(driven.count, AtRow<WithdrawVelocity<T>>{driven.index, {view}});
-    on.for_each(rows.count, FindResidual<T>{view});
     const auto multiply_all = [&](const SolveProgress<T>* progress) {
       multiply(mass_.data(), drag_.data(), progress);
     };
-    const ViscousSolve outcome = solver.solve(
-        on, rows, mass_.data(), FindTolerance{tolerance, step}, most_iterations, multiply_all);
+    const ViscousSolve outcome =
+        solver.solve(on, rows, mass_.data(), FindResidual<T>{view}, FindTolerance{tolerance, step},
+                     most_iterations, multiply_all);
     if (!outcome.converged) return outcome;
     // The coarse correction by the constant vector (Nicolaides 1987), after which the residuals add
     // up to zero. Viscosity within the flow then conserves momentum to rounding, whatever the
     // tolerance.
-    on.sum_into(rows.count, FindInertia<T>{view}, inertia_);
-    on.for_each(1, FindOwed{solver.residual_sum, inertia_.data(), owed_.data()});
-    on.sum_into(rows.count, TakeVelocity<T>{view, owed_.data()}, heat);
+    const TakeVelocity<T> take{view, solver.residual_sum, inertia_.data()};
+    on.template sum_up<ViscousHeat>(rows.count, take, take_heat);
     return outcome;
   }
 
@@ -192,8 +175,8 @@ class VelocityStep {
 
  private:
   Numbers mass_, drag_, none_;
-  typename Executor::template Array<Vec3d> guess_, owed_;  // the latter one
-  typename Executor::template Array<Total> inertia_;       // one
+  typename Executor::template Array<Vec3d> guess_;
+  typename Executor::template Array<Total> inertia_;  // one
 };
 
 }  // namespace sabo

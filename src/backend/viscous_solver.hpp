@@ -49,12 +49,14 @@ struct SolverView {
 };
 
 /// From a change of zero along the preconditioned residual.
-template <class T>
+template <class T, class Residual>
 struct StartSolve {
   SolverView<T> on;
+  Residual residual;
   SABO_HD void operator()(std::size_t k, ResidualSums& sums) const {
     const std::size_t i = on.rows[k];
-    const Quad<T>& r = on.residual[i];
+    const Quad<T> r = residual(i);
+    on.residual[i] = r;
     const T inverse = T(1) / on.diagonal[i];
     on.change[i] = {};
     on.direction[i] = {inverse * r.x, inverse * r.y, inverse * r.z};
@@ -100,14 +102,13 @@ struct SolveLimits {
 template <class T, class Tolerance>
 struct BeginSolve {
   SolveLimits<Tolerance> limits;
-  const ResidualSums* sums;
   SolveProgress<T>* progress;
-  SABO_HD void operator()(std::size_t) const {
+  SABO_HD void operator()(const ResidualSums& sums) const {
     const double tolerance = limits.tolerance();
     SolveProgress<T> begun;
-    begun.enough = larger(tolerance * tolerance * limits.rows, limits.share * sums->largest());
+    begun.enough = larger(tolerance * tolerance * limits.rows, limits.share * sums.largest());
     begun.most = limits.most;
-    begun.take(*sums);
+    begun.take(sums);
     *progress = begun;
   }
 };
@@ -135,13 +136,12 @@ struct AdvanceSolve {
 /// Whether that is near enough.
 template <class T>
 struct JudgeSolve {
-  const ResidualSums* sums;
   SolveProgress<T>* progress;
-  SABO_HD void operator()(std::size_t) const {
+  SABO_HD void operator()(const ResidualSums& sums) const {
     if (progress->has_ended) return;
-    progress->keep = share_of<T>(sums->energy, progress->energy);
+    progress->keep = share_of<T>(sums.energy, progress->energy);
     ++progress->iterations;
-    progress->take(*sums);
+    progress->take(sums);
   }
 };
 
@@ -171,7 +171,7 @@ class ViscousSolver {
 
   // Rows of particles that take no part stay zero.
   Vector change;     ///< the solution, out
-  Vector residual;   ///< of a change of zero, in; kg m/s
+  Vector residual;   ///< kg m/s
   Vector direction;  ///< handed to the product
   Vector product;
   typename Executor::template Array<Total> curvature;  ///< one: direction . product
@@ -197,19 +197,19 @@ class ViscousSolver {
 
   /// Iterates until no component of the residual over the mass (kg) exceeds `tolerance()` (m/s,
   /// root mean square over `rows`), or what is left of the first one is rounding.
-  /// `multiply(progress)` sets `product` to the matrix times `direction`, and `curvature`; it need
-  /// not once progress->has_ended. One that runs ahead starts as many iterations as the last solve
-  /// took and only then waits to hear of them, and then half as many again: those that are not
-  /// wanted do nothing.
-  template <class Tolerance, class Multiply>
-  ViscousSolve solve(const Executor& on, RowList rows, const T* mass, const Tolerance& tolerance,
-                     int most, const Multiply& multiply) {
+  /// `residual_of(i)` is that of a change of zero, kg m/s. `multiply(progress)` sets `product` to
+  /// the matrix times `direction`, and `curvature`; it need not once progress->has_ended. One that
+  /// runs ahead starts as many iterations as the last solve took and only then waits to hear of
+  /// them, and then half as many again: those that are not wanted do nothing.
+  template <class Residual, class Tolerance, class Multiply>
+  ViscousSolve solve(const Executor& on, RowList rows, const T* mass, const Residual& residual_of,
+                     const Tolerance& tolerance, int most, const Multiply& multiply) {
     const SolverView<T> vectors = view(rows, mass);
     SolveProgress<T>* progress = progress_.data();
-    on.sum_into(rows.count, StartSolve<T>{vectors}, sums_);
     const SolveLimits<Tolerance> limits{tolerance, static_cast<double>(rows.count),
                                         least_share * least_share, most};
-    on.for_each(1, BeginSolve<T, Tolerance>{limits, sums_.data(), progress});
+    on.template sum_up<ResidualSums>(rows.count, StartSolve<T, Residual>{vectors, residual_of},
+                                     BeginSolve<T, Tolerance>{limits, progress});
     SolveProgress<T> known;
     for (int started = 0, ahead = runs_ahead ? iterations_ : 0;; ++started) {
       if (started >= ahead) {
@@ -219,8 +219,9 @@ class ViscousSolver {
       }
       if (started > 0) on.for_each(rows.count, TurnSolve<T>{vectors, progress});
       multiply(progress);
-      on.sum_into(rows.count, AdvanceSolve<T>{vectors, progress, curvature.data()}, sums_);
-      on.for_each(1, JudgeSolve<T>{sums_.data(), progress});
+      on.template sum_up<ResidualSums>(rows.count,
+                                       AdvanceSolve<T>{vectors, progress, curvature.data()},
+                                       JudgeSolve<T>{progress});
     }
     iterations_ = known.iterations;
     residual_sum = known.residual_sum;
@@ -231,7 +232,6 @@ class ViscousSolver {
   /// Of the first residual: what the precision of the products leaves.
   static constexpr double least_share = 100 * std::numeric_limits<T>::epsilon();
 
-  typename Executor::template Array<ResidualSums> sums_;          // one
   typename Executor::template Array<SolveProgress<T>> progress_;  // one
   int iterations_ = 0;                                            // of the last solve
 };

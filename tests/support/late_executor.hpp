@@ -48,20 +48,19 @@ class LateExecutor {
     if (count > 0) late_stream().wait_for_all();
     return sum_of<Sum>(count, f);
   }
-  template <class Sum, class F>
-  void sum_into(std::size_t count, const F& f, Array<Sum>& total) const {
-    static_assert(std::is_trivially_copyable_v<F>);
-    total.resize(1);
-    later([=, this_one = *this, to = total.data()] { *to = this_one.sum_of<Sum>(count, f); });
+  template <class Sum, class F, class Then>
+  void sum_up(std::size_t count, const F& f, const Then& then) const {
+    static_assert(std::is_trivially_copyable_v<F> && std::is_trivially_copyable_v<Then>);
+    later([=, this_one = *this] { then(this_one.sum_of<Sum>(count, f)); });
   }
 
   template <class Sweep>
   void sweep(std::size_t count, const Sweep& sweep) const {
     for_each(count, FinishRow<Sweep>{sweep, habits_.row_shares});
   }
-  template <class Sum, class Sweep>
-  void sweep_and_sum(std::size_t count, const Sweep& sweep, Array<Sum>& total) const {
-    sum_into(count, FinishRow<Sweep>{sweep, habits_.row_shares}, total);
+  template <class Sum, class Sweep, class Then>
+  void sweep_and_sum(std::size_t count, const Sweep& sweep, const Then& then) const {
+    sum_up<Sum>(count, FinishRow<Sweep>{sweep, habits_.row_shares}, then);
   }
 
   template <class T>

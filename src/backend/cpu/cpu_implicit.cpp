@@ -141,11 +141,9 @@ ViscousSolve CpuBackend::advance_velocity(const VelocityTolerance& tolerance, in
   const auto product = [&](const float* mass, const float* drag, const SolveProgress<float>*) {
     multiply(mass, drag);
   };
-  const ViscousSolve outcome = velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
-                                                      {driven_.data(), driven_.size()}, &step_,
-                                                      tolerance, most_iterations, product);
-  if (outcome.converged) velocity_step_.heat[0].enter(heat_);
-  return outcome;
+  return velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
+                                {driven_.data(), driven_.size()}, &step_, tolerance,
+                                most_iterations, product, EnterHeat{&heat_});
 }
 
 void CpuBackend::near_motion() {

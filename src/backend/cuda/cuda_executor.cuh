@@ -9,6 +9,7 @@
 #include "backend/cuda/card_moment.hpp"
 #include "backend/cuda/device_array.cuh"
 #include "backend/device/pair_rows.hpp"
+#include "backend/store_sum.hpp"
 
 namespace sabo {
 
@@ -40,11 +41,12 @@ __device__ Sum joined_in_block(const Sum& mine) {
 /// Blocks of a sum: enough to fill any card.
 inline constexpr std::size_t most_partial_sums = 2048;
 
-/// A partial sum for each block; the block that ends last joins them, always in the same order.
-template <class Sum, class F>
+/// A partial sum for each block; the block that ends last joins them, always in the same order, and
+/// hands the sum on: then(sum).
+template <class Sum, class F, class Then>
 __global__ void __launch_bounds__(block_size)
-    sum_all(std::size_t count, const __grid_constant__ F f, Sum* partial, unsigned* blocks_done,
-            Sum* total) {
+    sum_all(std::size_t count, const __grid_constant__ F f, const __grid_constant__ Then then,
+            Sum* partial, unsigned* blocks_done) {
   const std::size_t stride = std::size_t{gridDim.x} * block_size;
   Sum mine;
   for (std::size_t i = std::size_t{blockIdx.x} * block_size + threadIdx.x; i < count; i += stride)
@@ -63,9 +65,16 @@ __global__ void __launch_bounds__(block_size)
   for (unsigned k = threadIdx.x; k < gridDim.x; k += block_size) all.join(partial[k]);
   const Sum joined = joined_in_block(all);
   if (threadIdx.x != 0) return;
-  *total = joined;
   *blocks_done = 0;
+  then(joined);
 }
+
+/// What would follow a sum over nothing.
+template <class Sum, class Then>
+struct HandOnNothing {
+  Then then;
+  SABO_HD void operator()(std::size_t) const { then(Sum{}); }
+};
 
 /// The same words of the thread `away` threads further in the warp.
 template <class T>
@@ -165,18 +174,17 @@ class CudaExecutor {
     Sum total;
     if (count == 0) return total;
     void* seen = sum_space().total;
-    start_sum(count, f, static_cast<Sum*>(seen));
+    start_sum<Sum>(count, f, StoreSum<Sum>{static_cast<Sum*>(seen)});
     wait("pass");
     std::memcpy(static_cast<void*>(&total), seen, sizeof(Sum));
     return total;
   }
 
-  /// The same; the sum becomes the one value of `total`, where it can be read without a wait.
-  template <class Sum, class F>
-  void sum_into(std::size_t count, const F& f, DeviceArray<Sum>& total) const {
-    if (count == 0) return upload(std::vector<Sum>(1), total);
-    total.resize(1);
-    start_sum(count, f, total.data());
+  /// The same without a wait: then(sum), once, where the work after it can see what that does.
+  template <class Sum, class F, class Then>
+  void sum_up(std::size_t count, const F& f, const Then& then) const {
+    if (count == 0) return for_each(1, HandOnNothing<Sum, Then>{then});
+    start_sum<Sum>(count, f, then);
   }
 
   /// A sweep over the pairs of each i in [0, count); see backend/device/pair_rows.hpp.
@@ -189,15 +197,14 @@ class CudaExecutor {
     });
     check_cuda(cudaGetLastError(), "kernel launch");
   }
-  /// The same, with sum_into() of what finish(i, sums, sum) adds.
-  template <class Sum, class Sweep>
-  void sweep_and_sum(std::size_t count, const Sweep& sweep, DeviceArray<Sum>& total) const {
-    if (count == 0) return upload(std::vector<Sum>(1), total);
-    total.resize(1);
+  /// The same, with sum_up() of what finish(i, sums, sum) adds.
+  template <class Sum, class Sweep, class Then>
+  void sweep_and_sum(std::size_t count, const Sweep& sweep, const Then& then) const {
+    if (count == 0) return for_each(1, HandOnNothing<Sum, Then>{then});
     with_lanes(count, [&]<unsigned lanes>() {
       // Whole warps.
       const std::size_t threads = (count * lanes + 31) / 32 * 32;
-      start_sum(threads, SumOverRows<lanes, Sweep>{count, sweep}, total.data());
+      start_sum<Sum>(threads, SumOverRows<lanes, Sweep>{count, sweep}, then);
     });
   }
 
@@ -263,15 +270,15 @@ class CudaExecutor {
   }
 
  private:
-  /// Into memory that the card can write to.
-  template <class Sum, class F>
-  static void start_sum(std::size_t count, const F& f, Sum* total) {
-    static_assert(std::is_trivially_copyable_v<F> && sizeof(F) < 4000);
+  template <class Sum, class F, class Then>
+  static void start_sum(std::size_t count, const F& f, const Then& then) {
+    static_assert(std::is_trivially_copyable_v<F> && std::is_trivially_copyable_v<Then>);
+    static_assert(sizeof(F) + sizeof(Then) < 4000);
     static_assert(std::is_trivially_copyable_v<Sum> && sizeof(Sum) <= SumSpace::largest);
     const SumSpace& space = sum_space();
     const auto sums = std::min<std::size_t>(blocks(count), most_partial_sums);
     sum_all<Sum><<<static_cast<unsigned>(sums), block_size>>>(
-        count, f, static_cast<Sum*>(space.partial), space.blocks_done, total);
+        count, f, then, static_cast<Sum*>(space.partial), space.blocks_done);
     check_cuda(cudaGetLastError(), "kernel launch");
   }
   /// Until all that was started is done.

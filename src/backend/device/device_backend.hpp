@@ -150,9 +150,8 @@ class DeviceBackend : public Backend {
   const StateSums& state_sums() const;
   /// Into the account; f is to be summed up.
   template <class Heat, class F>
-  void enter(std::size_t count, const F& f, Array<Heat>& heat) {
-    on_.sum_into(count, f, heat);
-    on_.for_each(1, EnterHeat<Heat>{heat.data(), account_.data()});
+  void enter(std::size_t count, const F& f) {
+    on_.template sum_up<Heat>(count, f, EnterHeat{account_.data()});
   }
 
   CloudBox box_of(const DeviceParticles<Executor>& set) const;
@@ -211,8 +210,7 @@ class DeviceBackend : public Backend {
   Array<Vec3d> acceleration_;
   Array<MotionRecord> motion_;
 
-  Array<Fastest> fastest_;  // one, as the next
-  Array<ChosenStep> step_;
+  Array<ChosenStep> step_;  // one
   typename Executor::template StagingArray<ChosenStep> step_copy_;
   std::optional<typename Executor::Moment> step_then_;  // when step_copy_ is there
 
@@ -233,10 +231,7 @@ class DeviceBackend : public Backend {
   Array<ClosingRecord> closings_;
   VelocityStep<float, Executor> velocity_step_;
   Array<VelocityGradient<float>> half_gradient_;  // of the direction of the solve; zero at no row
-  Array<StepHeat> step_heat_;                     // one, as those below
-  Array<ExplicitHeat> explicit_heat_;
-  Array<SoundHeat> sound_heat_;
-  Array<HeatAccount> account_;  // one
+  Array<HeatAccount> account_;                    // one
   mutable std::vector<HeatAccount> account_copy_;
 
   Array<std::uint32_t> body_rows_;  // boundary particles of bodies

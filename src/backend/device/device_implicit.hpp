@@ -84,14 +84,14 @@ ViscousSolve DeviceBackend<Executor>::advance_velocity(const VelocityTolerance& 
                  HalfGradientSweep{pairs, velocity_step_.inverse_root.data(), half_gradient});
     const ViscousProduct product{pairs, awake_.data(), half_gradient,        mass,
                                  drag,  step_.data(),  solver.product.data()};
-    on_.sweep_and_sum(awake_.size(), product, solver.curvature);
+    on_.template sweep_and_sum<Total>(awake_.size(), product,
+                                      StoreSum<Total>{solver.curvature.data()});
   };
-  const ViscousSolve outcome = velocity_step_.advance(on_, view(), awake(), driven(), step_.data(),
-                                                      tolerance, most_iterations, multiply);
+  const ViscousSolve outcome =
+      velocity_step_.advance(on_, view(), awake(), driven(), step_.data(), tolerance,
+                             most_iterations, multiply, EnterHeat{account_.data()});
   pass_times_["viscous solve"].pairs +=
       (1 + static_cast<std::uint64_t>(outcome.iterations)) * swept_.fluid;
-  if (outcome.converged)
-    on_.for_each(1, EnterHeat<ViscousHeat>{velocity_step_.heat.data(), account_.data()});
   fluid_changed();
   return outcome;
 }
@@ -131,7 +131,7 @@ void DeviceBackend<Executor>::advance_state() {
   if (model_.particle_shifting > 0) shift_particles(dt);
   const Clock clock(*this, "density and viscosity");
   const AdvanceState advance{view(), awake_.data(), dt, AdvanceState::caught_up(model_, dt)};
-  enter(awake_.size(), advance, step_heat_);
+  enter<StepHeat>(awake_.size(), advance);
   over_driven(MoveDriven{view(), dt});
   std::visit(
       [&](const auto& law) {
@@ -163,7 +163,7 @@ void DeviceBackend<Executor>::set_sound_speed(double c0) {
   const Tait former = model_.state;
   model_.state.c0 = c0;
   const ChangeSoundSpeed change{former, model_.state, fluid_.view(), !model_.tension_at_surface};
-  enter(fluid_.size(), change, sound_heat_);
+  enter<SoundHeat>(fluid_.size(), change);
   scale_.set_sound_speed(model_);
   fluid_changed();
 }

@@ -132,11 +132,11 @@ void DeviceBackend<Executor>::choose_step(const StepRule& rule, double longest) 
                          acceleration_.data(),
                          fluid_.viscosity.data(),
                          fluid_.density.data()};
-  on_.sum_into(awake_.size() + driven_.size(), find, fastest_);
   std::visit(
       [&](const auto& by) {
         using Choose = ChooseStep<std::decay_t<decltype(by)>>;
-        on_.for_each(1, Choose{by, longest, fastest_.data(), step_.data()});
+        on_.template sum_up<Fastest>(awake_.size() + driven_.size(), find,
+                                     Choose{by, longest, step_.data()});
       },
       rule);
   on_.start_download(step_, step_copy_);
@@ -198,7 +198,7 @@ void DeviceBackend<Executor>::predict() {
 template <class Executor>
 void DeviceBackend<Executor>::correct() {
   const Clock clock(*this, "integration");
-  enter(fluid_.size(), FindExplicitHeat{view(), step_.data()}, explicit_heat_);
+  enter<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view(), step_.data()});
   const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
                         start_boundary_density_.data()};
   on_.for_each(fluid_.size(), CorrectFluid{view(), start, step_.data()});

@@ -105,11 +105,9 @@ ViscousSolve ReferenceBackend::advance_velocity(const VelocityTolerance& toleran
     }
     solver.curvature[0] = sum;
   };
-  const ViscousSolve outcome = velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
-                                                      {driven_.data(), driven_.size()}, &step_,
-                                                      tolerance, most_iterations, multiply);
-  if (outcome.converged) velocity_step_.heat[0].enter(heat_);
-  return outcome;
+  return velocity_step_.advance(on_, view(), {awake_.data(), awake_.size()},
+                                {driven_.data(), driven_.size()}, &step_, tolerance,
+                                most_iterations, multiply, EnterHeat{&heat_});
 }
 
 ReferenceBackend::Closing ReferenceBackend::closing_on(std::size_t b) const {

@@ -50,10 +50,9 @@ template <class Rule>
 struct ChooseStep {
   Rule rule;
   double longest;  ///< that it may be, s
-  const Fastest* fastest;
   ChosenStep* step;
-  SABO_HD void operator()(std::size_t) const {
-    const FlowExtremes flow = fastest->extremes();
+  SABO_HD void operator()(const Fastest& fastest) const {
+    const FlowExtremes flow = fastest.extremes();
     *step = {flow, smaller(longest, rule.longest(flow))};
   }
 };
