@@ -8,7 +8,6 @@
 
 #include "analysis/resolution.hpp"
 #include "analysis/zone.hpp"
-#include "backend/cuda/graphics_card.hpp"
 #include "base/counted.hpp"
 #include "case/material_presets.hpp"
 #include "io/gis/crs.hpp"
@@ -18,6 +17,7 @@
 #include "physics/viscosity_of_concentration.hpp"
 #include "run/amount_text.hpp"
 #include "run/memory_estimate.hpp"
+#include "run/preview_card.hpp"
 #include "run/preview_inflows.hpp"
 #include "run/preview_lines.hpp"
 #include "run/preview_structures.hpp"
@@ -226,24 +226,6 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model, doub
   warn_of_a_weak_wall(preview, c, model, depth);
 }
 
-void tell_card_memory(Preview& preview, Method method, std::size_t particles,
-                      const FlowModel& model) {
-  const double needed = expected_card_memory(model, method, particles);
-  const std::string text = fmt::format("about {:.0f} MB of the graphics card", needed / 1e6);
-  if (const std::string fault = missing_backend(BackendKind::cuda); !fault.empty()) {
-    preview.line("Memory", text);
-    preview.warn(fmt::format("numerics.backend: {}; use --backend cpu", fault));
-    return;
-  }
-  const GraphicsCard card = graphics_card();
-  preview.line("Memory", fmt::format("{}, of {:.0f} MB that are free on {}", text,
-                                     card.free_memory / 1e6, card.name));
-  if (needed > card.free_memory)
-    preview.warn(
-        "the run will not fit into the memory of the graphics card; raise "
-        "numerics.spacing, or use --backend cpu");
-}
-
 }  // namespace
 
 std::string preview_text(const Case& c, const Scene& scene, const std::string& time) {
@@ -266,8 +248,13 @@ std::string preview_text(const Case& c, const Scene& scene, const std::string& t
                                      expected_memory(model, c.numerics.method, particles,
                                                      scene.surface->elevation().grid.size()) /
                                          1e6));
-  if (c.numerics.backend == BackendKind::cuda)
-    tell_card_memory(preview, c.numerics.method, particles, model);
+  if (c.numerics.backend == BackendKind::cuda) {
+    const double needed = expected_card_memory(model, c.numerics.method, particles);
+    if (const std::string fault = missing_backend(BackendKind::cuda); !fault.empty())
+      tell_missing_card(preview, needed, fault);
+    else
+      tell_card_memory(preview, needed, graphics_card());
+  }
   if (!time.empty()) preview.line("Time", time);
   return preview.text();
 }

@@ -9,6 +9,8 @@
 
 #include "analysis/columns.hpp"
 #include "analysis/convergence.hpp"
+#include "analysis/tracks.hpp"
+#include "analysis/volume_ledger.hpp"
 #include "terrain/jitter.hpp"
 
 // Backends differ in the last digits, and a flow of particles amplifies them: fronts and maps of
@@ -30,8 +32,23 @@ FlowModel slumping() {
 struct Slump {
   double front = 0;           ///< mean distance of the farthest tenth from the middle, m
   double mass = 0;            ///< kg
+  VolumeRow volumes;          ///< about a line beside the block
   std::vector<double> depth;  ///< map, m
 };
+
+/// By what the backend shows of its particles after each step.
+VolumeRow volumes_until(double time, Stepper& stepper, Backend& backend) {
+  Tracks tracks;
+  VolumeLedger ledger(1000, {{{0.7, -5, 0}, {0.7, 5, 0}}}, {0.3, 0.3, 0});
+  ledger.release(backend.fluid());
+  tracks.advance(backend.places());
+  while (stepper.time() < time) {
+    stepper.step(time - stepper.time());
+    const Places now = backend.places();
+    ledger.record(tracks.advance(now), now);
+  }
+  return ledger.row();
+}
 
 Slump slump(test::On on, Method method, std::uint64_t seed) {
   const auto backend = test::make_backend(on, slumping());
@@ -40,7 +57,7 @@ Slump slump(test::On on, Method method, std::uint64_t seed) {
   test::add_block(backend->fluid(), backend->model(), {0, 6, 0, 6, 0, 6});
   jitter(backend->fluid(), level, {0.05 * spacing, 0.25 * spacing, seed});
   const auto stepper = test::stepper_of(method, *backend);
-  stepper->advance_to(0.6);
+  const VolumeRow volumes = volumes_until(0.6, *stepper, *backend);
 
   const Particles& fluid = backend->fluid();
   std::vector<double> distance;
@@ -50,7 +67,8 @@ Slump slump(test::On on, Method method, std::uint64_t seed) {
   Columns columns(Raster(Grid{14, 14, -1.1, 1.7, 0.2, 0.2}, 0.0), spacing, 1000);
   columns.update(fluid);
   return {std::accumulate(first, distance.end(), 0.0) / static_cast<double>(distance.end() - first),
-          std::accumulate(fluid.mass.begin(), fluid.mass.end(), 0.0), columns.depth().values};
+          std::accumulate(fluid.mass.begin(), fluid.mass.end(), 0.0), volumes,
+          columns.depth().values};
 }
 
 /// Of what was found from all starts.
@@ -86,13 +104,15 @@ class Ensemble : public test::OnBackend {};
 INSTANTIATE_TEST_SUITE_P(On, Ensemble, testing::Values(test::On::device, test::On::cuda),
                          test::name_of_backend);
 
-TEST_P(Ensemble, HasTheFrontAndTheMapOfTheProcessorAndAllOfItsMass) {
+TEST_P(Ensemble, HasTheFrontTheMapAndTheLedgersOfTheProcessor) {
   for (const Method method : test::both_methods) {
     std::vector<Slump> here, there;
     for (std::uint64_t seed = 1; seed <= starts; ++seed) {
       const Slump a = slump(GetParam(), method, seed), b = slump(test::On::cpu, method, seed);
       EXPECT_NEAR(a.mass, b.mass, 1e-12 * b.mass);  // in another order
-      EXPECT_GT(a.front, 0.6);                      // from 0.39 m
+      EXPECT_EQ(a.volumes.released, b.volumes.released);
+      EXPECT_NEAR(a.volumes.trapped + a.volumes.beyond, a.volumes.released, 1e-12);  // m3
+      EXPECT_GT(a.front, 0.6);                                                       // from 0.39 m
       here.push_back(a);
       there.push_back(b);
     }
@@ -101,6 +121,10 @@ TEST_P(Ensemble, HasTheFrontAndTheMapOfTheProcessorAndAllOfItsMass) {
     EXPECT_GT(a.deviation, 0);
     EXPECT_LE(std::abs(distance_of_means(a, b)), 2) << word_of(method);
     EXPECT_LE(distance_of_maps(here, there), 2) << word_of(method);
+    const auto beyond = [](const Slump& slump) { return slump.volumes.beyond; };
+    const Scatter c = scatter_over(here, beyond), d = scatter_over(there, beyond);
+    EXPECT_GT(d.mean, 0.02);  // m3, of 0.22
+    EXPECT_LE(std::abs(distance_of_means(c, d)), 2) << word_of(method);
   }
 }
 
