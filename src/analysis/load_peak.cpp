@@ -11,7 +11,7 @@ void LoadPeak::add(double time, const Vec3d& impulse) {
   while (samples_[1].time <= start) samples_.pop_front();
   const Sample &a = samples_[0], &b = samples_[1];
   const double share = b.time > a.time ? (start - a.time) / (b.time - a.time) : 0;
-  // Nothing happened before the first sample.
+  // Nothing happens before the first sample.
   const Vec3d before = a.impulse + std::clamp(share, 0.0, 1.0) * (b.impulse - a.impulse);
   const Vec3d mean = (1 / window_) * (impulse - before);
   const double horizontal = std::hypot(mean.x, mean.y);

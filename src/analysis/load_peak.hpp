@@ -12,8 +12,8 @@ namespace sabo {
 /// own; the mean keeps the momentum of all of them.
 class LoadPeak {
  public:
-  /// `window` in s.
-  explicit LoadPeak(double window) : window_(window), samples_{{0, {}}} {}
+  /// `window` in s. Nothing happens before `start` (s).
+  explicit LoadPeak(double window, double start = 0) : window_(window), samples_{{start, {}}} {}
 
   /// All that the structure has been given until `time` (s), N s. Times must not decrease.
   void add(double time, const Vec3d& impulse);

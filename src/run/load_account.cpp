@@ -22,15 +22,19 @@ std::vector<std::string> structure_names(const Scene& scene) {
   return names;
 }
 
-LoadAccount::LoadAccount(const LoadCase& settings, const Scene& scene, const FlowModel& model) {
+LoadAccount::LoadAccount(const LoadCase& settings, const Scene& scene, const FlowModel& model)
+    : filter_(settings.filter) {
   const auto add = [&](const Vec3d& base) {
-    accounts_.push_back({base,
-                         LoadPeak(settings.filter),
-                         LoadProfile(base.z, model.spacing, model.kernel_radius()),
-                         {}});
+    accounts_.push_back(
+        {base, LoadPeak(filter_), LoadProfile(base.z, model.spacing, model.kernel_radius()), {}});
   };
   for (const CheckDam& dam : scene.dams) add(base_of(dam, scene));
   for (const Body& body : scene.bodies) add(base_of(body));
+}
+
+void LoadAccount::start(double time) {
+  last_taken_ = time;
+  for (Account& account : accounts_) account.peak = LoadPeak(filter_, time);
 }
 
 void LoadAccount::after_step(const Stepper& stepper, const StepReport& report, Backend& backend) {

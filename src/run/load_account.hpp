@@ -30,6 +30,9 @@ class LoadAccount {
  public:
   LoadAccount(const LoadCase& settings, const Scene& scene, const FlowModel& model);
 
+  /// To be called first, with the time at which the run starts (s).
+  void start(double time);
+
   /// After every step.
   void after_step(const Stepper& stepper, const StepReport& report, Backend& backend);
 
@@ -55,6 +58,7 @@ class LoadAccount {
     }
   };
 
+  double filter_;          // of the peaks, s
   double last_taken_ = 0;  // s
   std::vector<Account> accounts_;
 };

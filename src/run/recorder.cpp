@@ -64,6 +64,7 @@ void Recorder::start(double time, const Particles& fluid, const Particles& relea
     ledger.record(before, fluid);
     ledger.leave(gone);
   }
+  loads_.start(time);
   meter_.maps().update(time, fluid);
   meter_.rest().update(time, fluid);
   rest_due_ = time + meter_.rest().interval();

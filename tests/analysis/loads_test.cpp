@@ -38,6 +38,15 @@ TEST(LoadPeak, CountsNothingBeforeTheStart) {
   EXPECT_NEAR(peak.force(), 8, 1e-12);  // 16 N over half of the window
 }
 
+// All of the first step's impulse counts, whenever that is.
+TEST(LoadPeak, MayStartLate) {
+  LoadPeak peak(0.1, 60);
+  peak.add(60.01, {2, 0, 0});
+  EXPECT_NEAR(peak.force(), 20, 1e-12);
+  peak.add(60.02, {3, 0, 0});
+  EXPECT_NEAR(peak.force(), 30, 1e-12);
+}
+
 TEST(LoadProfile, SharesTheForceOutByHeight) {
   LoadProfile profile(10, 0.5, 1.2);
   // Two seconds: 6 N in the lowest bin, 2 N in the third; places 0.5 m apart across the force.
