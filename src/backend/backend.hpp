@@ -32,8 +32,8 @@ struct FlowHealth {
 /// From any thread, each with an object of its own; to be asked for before the backend goes.
 using KeptFluid = std::shared_future<Particles>;
 
-/// What the host has.
-inline KeptFluid kept(Particles fluid) {
+/// A fluid that the host has already.
+inline KeptFluid kept_already(Particles fluid) {
   std::promise<Particles> promise;
   promise.set_value(std::move(fluid));
   return promise.get_future();

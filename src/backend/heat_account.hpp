@@ -26,7 +26,7 @@ struct HeatAccount {
   NumericalHeat numerical;
 };
 
-/// Enters what has been summed up over a step.
+/// Enters what has been summed up.
 struct EnterHeat {
   HeatAccount* account;
   template <class Heat>

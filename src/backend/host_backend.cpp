@@ -139,7 +139,7 @@ void HostBackend::predict() {
 
 void HostBackend::correct() {
   const PassClock clock(pass_times_, "integration");
-  on_.reduce<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view(), &step_}).enter(heat_);
+  on_.sum_up<ExplicitHeat>(fluid_.size(), FindExplicitHeat{view(), &step_}, EnterHeat{&heat_});
   const StepStart start{start_position_.data(), start_velocity_.data(), start_density_.data(),
                         start_boundary_density_.data()};
   on_.for_each(fluid_.size(), CorrectFluid{view(), start, &step_});
@@ -150,7 +150,7 @@ void HostBackend::set_sound_speed(double c0) {
   const Tait former = model_.state;
   model_.state.c0 = c0;
   const ChangeSoundSpeed change{former, model_.state, view_of(fluid_), !model_.tension_at_surface};
-  on_.reduce<SoundHeat>(fluid_.size(), change).enter(heat_);
+  on_.sum_up<SoundHeat>(fluid_.size(), change, EnterHeat{&heat_});
 }
 
 }  // namespace sabo

@@ -18,7 +18,7 @@ class HostBackend : public Backend {
   explicit HostBackend(const FlowModel& model);
 
   Particles& fluid() override { return fluid_; }
-  KeptFluid keep_fluid() override { return kept(fluid_); }
+  KeptFluid keep_fluid() override { return kept_already(fluid_); }
   std::span<const Vec3d> positions() override { return fluid_.position; }
   Places places() override { return fluid_; }
   Particles& boundary() override { return boundary_; }

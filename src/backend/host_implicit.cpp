@@ -35,7 +35,7 @@ void HostBackend::advance_state() {
   if (model_.particle_shifting > 0) shift_particles(dt);
   const PassClock clock(pass_times_, "density and viscosity");
   const AdvanceState advance{view(), awake_.data(), dt, AdvanceState::caught_up(model_, dt)};
-  on_.reduce<StepHeat>(awake_.size(), advance).enter(heat_);
+  on_.sum_up<StepHeat>(awake_.size(), advance, EnterHeat{&heat_});
   over_rows(driven_, threads(), MoveDriven{view(), dt});
   find_viscosity();
 }

@@ -134,8 +134,8 @@ class VelocityStep {
   /// `multiply(mass, drag, progress)` sets solver.product to (mass + dt K + dt drag)
   /// solver.direction, and solver.curvature; masses in kg, drags of the walls in kg/s. It may
   /// leave that out once `progress`, where there is one, has ended. `step` is where the flow is.
-  /// Driven particles keep their velocity; particles in neither list are at rest. Of a step that
-  /// has converged take_heat(ViscousHeat) is called, there too.
+  /// Driven particles keep their velocity; particles in neither list are at rest. Once
+  /// the solve has converged, take_heat(ViscousHeat) is called where the flow is.
   template <class Multiply, class TakeHeat>
   ViscousSolve advance(const Executor& on, const FlowView& flow, RowList rows, RowList driven,
                        const ChosenStep* step, const VelocityTolerance& tolerance,

@@ -52,10 +52,10 @@ struct SolverView {
 template <class T, class Residual>
 struct StartSolve {
   SolverView<T> on;
-  Residual residual;
+  Residual residual_of;
   SABO_HD void operator()(std::size_t k, ResidualSums& sums) const {
     const std::size_t i = on.rows[k];
-    const Quad<T> r = residual(i);
+    const Quad<T> r = residual_of(i);
     on.residual[i] = r;
     const T inverse = T(1) / on.diagonal[i];
     on.change[i] = {};
@@ -197,10 +197,11 @@ class ViscousSolver {
 
   /// Iterates until no component of the residual over the mass (kg) exceeds `tolerance()` (m/s,
   /// root mean square over `rows`), or what is left of the first one is rounding.
-  /// `residual_of(i)` is that of a change of zero, kg m/s. `multiply(progress)` sets `product` to
-  /// the matrix times `direction`, and `curvature`; it need not once progress->has_ended. One that
-  /// runs ahead starts as many iterations as the last solve took and only then waits to hear of
-  /// them, and then half as many again: those that are not wanted do nothing.
+  /// `residual_of(i)` is that of a change of zero, kg m/s; of the vectors it may read `product`.
+  /// `multiply(progress)` sets `product` to the matrix times `direction`, and `curvature`; it need
+  /// not once progress->has_ended. One that runs ahead starts as many iterations as the last solve
+  /// took and only then waits to hear of them, and then half as many again: those that are not
+  /// wanted do nothing.
   template <class Residual, class Tolerance, class Multiply>
   ViscousSolve solve(const Executor& on, RowList rows, const T* mass, const Residual& residual_of,
                      const Tolerance& tolerance, int most, const Multiply& multiply) {

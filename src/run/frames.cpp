@@ -101,12 +101,13 @@ void Frames::write_frame(std::size_t number, double time, const Particles& fluid
 }
 
 void Frames::write(double time, Backend& backend) {
-  const std::size_t number =
-      count_++;  // one that fails leaves a gap in the numbers, not in the list
-  if (backend.device_bytes() == 0) return write_frame(number, time, backend.fluid());
-  writing_.start([this, number, time, fluid = backend.keep_fluid()] {
-    write_frame(number, time, fluid.get());
-  });
+  if (backend.device_bytes() == 0)
+    write_frame(count_, time, backend.fluid());
+  else  // one that fails leaves a gap in the numbers, not in the list
+    writing_.start([this, number = count_, time, fluid = backend.keep_fluid()] {
+      write_frame(number, time, fluid.get());
+    });
+  ++count_;
 }
 
 }  // namespace sabo

@@ -15,13 +15,6 @@ Vec3d base_of(const Body& body) {
 
 }  // namespace
 
-std::vector<std::string> structure_names(const Scene& scene) {
-  std::vector<std::string> names;
-  for (const CheckDam& dam : scene.dams) names.push_back(dam.name);
-  for (const Body& body : scene.bodies) names.push_back(body.name());
-  return names;
-}
-
 LoadAccount::LoadAccount(const LoadCase& settings, const Scene& scene, const FlowModel& model)
     : filter_(settings.filter) {
   const auto add = [&](const Vec3d& base) {

@@ -1,29 +1,16 @@
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "analysis/load_peak.hpp"
 #include "analysis/load_profile.hpp"
 #include "backend/backend.hpp"
 #include "case/load_case.hpp"
+#include "run/mean_load.hpp"
 #include "run/scene.hpp"
 #include "solver/stepper.hpp"
 
 namespace sabo {
-
-/// Of the structures of a scene: its dams, then its bodies.
-std::vector<std::string> structure_names(const Scene& scene);
-
-/// What a structure had to bear since the row before.
-struct MeanLoad {
-  Vec3d force;                            ///< N
-  Vec3d moment;                           ///< about the middle of the base, N m
-  std::vector<LoadProfile::Bin> profile;  ///< over the height
-  Vec3d impulse;                          ///< since the start, N s
-  double peak = 0;  ///< since the start: greatest horizontal force as a mean over the filter, N
-  double peak_time = 0;  ///< end of its window, s
-};
 
 /// Adds up the forces on the structures of a scene, step by step.
 class LoadAccount {

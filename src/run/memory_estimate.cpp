@@ -18,6 +18,12 @@ constexpr double late_depth = 1.5;         // particles
 constexpr double late_length = 10;         // of the flow, over its width
 constexpr double ground_beside_flow = 11;  // spacings across: a list's radius and half a tile each
 
+// Beside a graphics card: fields of the release, of what the host last asked for and of two copies
+// for rows and frames with the memory that they come through, numbers of a frame, places at the
+// last look and for rest.
+constexpr double host_bytes_of_fluid = 900;
+constexpr double host_bytes_of_ground = 130;  // fields
+
 // Of the backend cuda (backend/device/device_backend.hpp), by what is allocated; per particle.
 constexpr double card_bytes_of_any = 128 + 9;    // fields; numbers of neighbours
 constexpr double card_bytes_of_fluid = 32 + 29;  // rates; place at the last list, whether awake
@@ -57,6 +63,13 @@ double card_memory(const FlowModel& model, Method method, double fluid, double b
 double expected_card_memory(const FlowModel& model, Method method, std::size_t particles) {
   return card_memory(model, method, static_cast<double>(particles),
                      expected_boundary(model, particles));
+}
+
+double expected_memory_beside_card(const FlowModel& model, std::size_t particles,
+                                   std::size_t dem_cells) {
+  return bytes_of_program + bytes_per_cell * static_cast<double>(dem_cells) +
+         host_bytes_of_fluid * static_cast<double>(particles) +
+         host_bytes_of_ground * expected_boundary(model, particles);
 }
 
 double expected_memory(const FlowModel& model, Method method, std::size_t particles,

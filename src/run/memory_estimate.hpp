@@ -19,6 +19,11 @@ double card_memory(const FlowModel& model, Method method, double fluid, double b
 /// The same at the peak of a run; right to a factor of about two.
 double expected_card_memory(const FlowModel& model, Method method, std::size_t particles);
 
+/// Memory of the host that a run on a graphics card takes at its peak, bytes; right to a factor of
+/// about two.
+double expected_memory_beside_card(const FlowModel& model, std::size_t particles,
+                                   std::size_t dem_cells);
+
 /// Memory that a run on the CPU takes at its peak, bytes; right to a factor of about two.
 double expected_memory(const FlowModel& model, Method method, std::size_t particles,
                        std::size_t dem_cells);

@@ -4,8 +4,10 @@
 
 #include "io/output/colour_scale.hpp"
 #include "io/output/index_page.hpp"
-#include "run/recorder.hpp"
 #include "run/run_maps.hpp"
+#include "run/scene.hpp"
+#include "run/series_row.hpp"
+#include "run/structure_loads.hpp"
 
 namespace sabo {
 

@@ -226,6 +226,21 @@ void tell_numerics(Preview& preview, const Case& c, const FlowModel& model, doub
   warn_of_a_weak_wall(preview, c, model, depth);
 }
 
+void tell_memory(Preview& preview, const Case& c, const FlowModel& model, std::size_t particles,
+                 std::size_t dem_cells) {
+  const bool is_on_card = c.numerics.backend == BackendKind::cuda;
+  const double of_host = is_on_card
+                             ? expected_memory_beside_card(model, particles, dem_cells)
+                             : expected_memory(model, c.numerics.method, particles, dem_cells);
+  preview.line("Memory", fmt::format("about {:.0f} MB", of_host / 1e6));
+  if (!is_on_card) return;
+  const double of_card = expected_card_memory(model, c.numerics.method, particles);
+  if (const std::string fault = missing_backend(BackendKind::cuda); !fault.empty())
+    tell_missing_card(preview, of_card, fault);
+  else
+    tell_card_memory(preview, of_card, graphics_card());
+}
+
 }  // namespace
 
 std::string preview_text(const Case& c, const Scene& scene, const std::string& time) {
@@ -244,17 +259,7 @@ std::string preview_text(const Case& c, const Scene& scene, const std::string& t
   tell_structures(preview, c, scene, model);
   tell_lines(preview, c, scene);
   tell_numerics(preview, c, model, scene.greatest_depth());
-  preview.line("Memory", fmt::format("about {:.0f} MB",
-                                     expected_memory(model, c.numerics.method, particles,
-                                                     scene.surface->elevation().grid.size()) /
-                                         1e6));
-  if (c.numerics.backend == BackendKind::cuda) {
-    const double needed = expected_card_memory(model, c.numerics.method, particles);
-    if (const std::string fault = missing_backend(BackendKind::cuda); !fault.empty())
-      tell_missing_card(preview, needed, fault);
-    else
-      tell_card_memory(preview, needed, graphics_card());
-  }
+  tell_memory(preview, c, model, particles, scene.surface->elevation().grid.size());
   if (!time.empty()) preview.line("Time", time);
   return preview.text();
 }

@@ -36,10 +36,11 @@ SolverRow solver_row(const Stepper& stepper, const StepReport& report, const Flo
 Recorder::Recorder(const Case& c, const Scene& scene, const FlowModel& model,
                    const RunFolder& folder)
     : method_(c.numerics.method),
+      may_stop_at_rest_(c.run.stop_at_rest),
       threads_(model.threads),
       density_(model.state.rho0),
       ledgers_(make_ledgers(c, scene)),
-      loads_(c.loads, scene, model),
+      load_account_(c.loads, scene, model),
       sampling_distance_(std::max({scene.surface->elevation().grid.dx,
                                    scene.surface->elevation().grid.dy, c.numerics.spacing})),
       look_distance_(0.5 * c.numerics.spacing),
@@ -64,10 +65,11 @@ void Recorder::start(double time, const Particles& fluid, const Particles& relea
     ledger.record(before, fluid);
     ledger.leave(gone);
   }
-  loads_.start(time);
+  load_account_.start(time);
   meter_.maps().update(time, fluid);
   meter_.rest().update(time, fluid);
   rest_due_ = time + meter_.rest().interval();
+  motion_ = meter_.rest().state();
 }
 
 void Recorder::follow(const Particles& fluid) {
@@ -91,7 +93,7 @@ void Recorder::after_entry(Domain& domain, const Tait& state) {
 
 void Recorder::after_step(const Stepper& stepper, const StepReport& report, Backend& backend) {
   const double time = stepper.time();
-  loads_.after_step(stepper, report, backend);
+  load_account_.after_step(stepper, report, backend);
   const double way = report.flow.speed * report.dt;
   travelled_ += way;
   unseen_ += way;
@@ -131,7 +133,7 @@ void Recorder::show(double time, Backend& backend,
                     const std::function<void(const Particles&)>& measure) {
   settle();
   const bool is_copied = backend.device_bytes() > 0;
-  const bool may_end = meter_.rest().may_find_rest(time);
+  const bool may_end = may_stop_at_rest_ && meter_.rest().may_find_rest(time);
   if (is_copied)
     measuring_.start([fluid = backend.keep_fluid(), measure] { measure(fluid.get()); });
   else
@@ -175,7 +177,7 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, const
 
 RowStart Recorder::start_of_row(const Stepper& stepper, const StepReport& report,
                                 const FlowHealth& health, Backend& backend) {
-  RowStart start{{}, pushed_, backend.model().state, loads_.take_means(stepper, backend)};
+  RowStart start{{}, pushed_, backend.model().state, load_account_.take_means(stepper, backend)};
   SeriesRow& row = start.row;
   row.time = stepper.time();
   row.entered = freed_;

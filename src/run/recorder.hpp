@@ -67,7 +67,7 @@ class Recorder {
     a.mark("recorder");
     a.fixed(sections_);
     a.fixed(ledgers_);
-    a(loads_, meter_, rest_due_, travelled_, unseen_, put_back_seen_, left_, freed_, pushed_,
+    a(load_account_, meter_, rest_due_, travelled_, unseen_, put_back_seen_, left_, freed_, pushed_,
       rows_);
     if (unseen_ > 0) a(tracks_);
     a.fixed(inflows_);
@@ -86,12 +86,13 @@ class Recorder {
                         Backend& backend);
 
   Method method_;
+  bool may_stop_at_rest_;
   int threads_;
   double density_;  // kg/m3
   Tracks tracks_;
   std::vector<Section> sections_;
   std::vector<VolumeLedger> ledgers_;
-  LoadAccount loads_;
+  LoadAccount load_account_;
   double sampling_distance_;  // m
   double look_distance_;      // m
   double unseen_ = 0;         // way of the fastest particle since the tracks were advanced, m
@@ -106,7 +107,7 @@ class Recorder {
   std::vector<SeriesRow> rows_;
   MotionState motion_;
 
-  // Of these all but energy_in() is left to what goes on beside the steps until that is settled.
+  // What changes of these is left to what goes on beside the steps until that is settled.
   FlowMeter meter_;
   std::optional<SeriesRow> written_;
   Background measuring_;  // the last: it ends before what it works on

@@ -7,8 +7,8 @@
 #include "analysis/rest.hpp"
 #include "run/key_quantities.hpp"
 #include "run/pass_account.hpp"
-#include "run/recorder.hpp"
 #include "run/simulation.hpp"
+#include "run/structure_loads.hpp"
 
 namespace sabo {
 

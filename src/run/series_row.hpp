@@ -52,7 +52,7 @@ struct SeriesRow {
   std::vector<VolumeRow> volumes;      ///< one entry per check dam, or one alone without
   std::vector<ZoneDepth> zones;        ///< one entry per zone
   std::vector<BasinState> basins;      ///< one entry per check dam
-  std::vector<LoadRow> loads;          ///< one entry per structure, then per body
+  std::vector<LoadRow> loads;          ///< one entry per dam, then per body
   std::vector<InflowRow> inflows;      ///< one entry per inflow
   Energy energy;
   Energy entered;         ///< brought by inflows so far

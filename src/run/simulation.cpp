@@ -111,6 +111,7 @@ class Simulation {
       }
       if (time >= frame_due_ || is_over || is_stopped) {
         const PassClock clock(recording_, "frames");
+        recorder_.settle();  // first, so that a row which ends the run comes without a frame
         frames_.write(time, flow_.backend());
         frame_due_ += case_.run.output_interval;
       }
@@ -194,8 +195,14 @@ class Simulation {
     checkpointed_ = Clock::now();
   }
 
-  /// Writes the state that a run failed in as its last frame, if it can be written at all.
+  /// Writes the state that a run failed in as its last frame, if it can be written at all. What has
+  /// failed beside the steps since the last look at it came first.
   void show_failure() {
+    try {
+      recorder_.settle();
+    } catch (const RunError& earlier) {
+      facts_.reason = fmt::format("{}; {}", earlier.what(), facts_.reason);
+    }
     const auto told = [this](const char* frame, const std::function<void()>& write) {
       try {
         write();

@@ -3,10 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace sabo {
 namespace {
+
+std::vector<std::string> structure_names(const Scene& scene) {
+  std::vector<std::string> names;
+  for (const CheckDam& dam : scene.dams) names.push_back(dam.name);
+  for (const Body& body : scene.bodies) names.push_back(body.name());
+  return names;
+}
 
 std::vector<std::string> loads_header(const Scene& scene) {
   std::vector<std::string> header{"time [s]"};

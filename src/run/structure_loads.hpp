@@ -4,9 +4,12 @@
 #include <vector>
 
 #include "analysis/approach.hpp"
+#include "backend/model.hpp"
+#include "case/load_case.hpp"
 #include "io/output/csv.hpp"
-#include "run/load_account.hpp"
+#include "run/mean_load.hpp"
 #include "run/run_folder.hpp"
+#include "run/scene.hpp"
 #include "run/series_row.hpp"
 
 namespace sabo {

@@ -4,7 +4,8 @@
 #include <vector>
 
 #include "io/output/index_page.hpp"
-#include "run/recorder.hpp"
+#include "run/scene.hpp"
+#include "run/series_row.hpp"
 
 namespace sabo {
 

@@ -20,10 +20,8 @@ struct Problem {
 
   Problem() {
     solver.reset(on, 4);  // the fourth takes no part
-    pose();
+    solver.diagonal = {4, 3, 2, 1};
   }
-
-  void pose() { solver.diagonal = {4, 3, 2, 1}; }
 
   ViscousSolve solve(double tolerance, int most) {
     const auto multiply = [this](const SolveProgress<double>* progress) {
@@ -96,11 +94,8 @@ TEST(ViscousSolver, MayRunAhead) {
     Problem waiting, ahead;
     ahead.solver.runs_ahead = true;
     for (const double former : {1e-12, 2.84}) {
-      ahead.pose();
       ahead.solve(former, 10);
-      ahead.pose();
       ahead.products = 0;
-      waiting.pose();
       const ViscousSolve expected = waiting.solve(tolerance, 10),
                          found = ahead.solve(tolerance, 10);
       EXPECT_EQ(found.iterations, expected.iterations);
@@ -121,7 +116,6 @@ TEST(ViscousSolver, ThatRunsAheadEndsWithItsLimit) {
   Problem problem;
   problem.solver.runs_ahead = true;
   problem.solve(1e-12, 10);
-  problem.pose();
   problem.products = problem.needless = 0;
   const ViscousSolve outcome = problem.solve(1e-12, 1);
   EXPECT_FALSE(outcome.converged);

@@ -180,7 +180,8 @@ class CudaExecutor {
     return total;
   }
 
-  /// The same without a wait: then(sum), once, where the work after it can see what that does.
+  /// The same without a wait: then(sum), once all of f is done, so that it may write what that
+  /// reads; the work after it can see what it does.
   template <class Sum, class F, class Then>
   void sum_up(std::size_t count, const F& f, const Then& then) const {
     if (count == 0) return for_each(1, HandOnNothing<Sum, Then>{then});

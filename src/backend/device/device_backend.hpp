@@ -113,7 +113,7 @@ class DeviceBackend : public Backend {
     bool is_current = true;
     bool is_lent = false;     // the host may have changed it
     bool has_places = false;  // positions_copy_, of the fluid, is current
-    bool is_kept = false;     // kept_ is
+    bool is_kept = false;     // kept_, likewise, is current
     void outdate() { is_current = is_lent = has_places = is_kept = false; }
   };
 
@@ -241,7 +241,9 @@ class DeviceBackend : public Backend {
   mutable bool has_new_forces_ = false;
 
   StagedParticles<Executor> staged_;
-  KeptFluid kept_;  // out of staged_, once somebody has waited for it
+  // When staged_ is there. Not in what kept_ holds, which may end in any thread.
+  std::optional<typename Executor::Moment> kept_then_;
+  KeptFluid kept_;  // out of staged_, once somebody has waited for it; until the next
 
   typename Executor::template StagingArray<Vec3d> positions_copy_;
   std::vector<std::uint32_t> ids_copy_;  // empty until they are asked for in the present order

@@ -23,12 +23,13 @@ Particles& DeviceBackend<Executor>::fetched(DeviceParticles<Executor>& from, Cop
 /// Whoever asks first takes the copy out of the memory where the executor leaves it.
 template <class Executor>
 KeptFluid DeviceBackend<Executor>::keep_fluid() {
-  if (fluid_copy_.is_current) return kept(fluid_copy_.particles);
+  if (fluid_copy_.is_current) return kept_already(fluid_copy_.particles);
   if (fluid_copy_.is_kept) return kept_;
   if (kept_.valid()) kept_.wait();  // until the one before is out of there
   fluid_.start_download(on_, staged_);
-  kept_ = std::async(std::launch::deferred, [this, then = on_.now()] {
-    on_.await(then);
+  kept_then_.emplace(on_.now());
+  kept_ = std::async(std::launch::deferred, [this] {
+    on_.await(*kept_then_);
     return staged_.particles();
   });
   fluid_copy_.is_kept = true;
