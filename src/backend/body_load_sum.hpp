@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,7 @@ class BodyLoadSum {
 
   /// Takes the forces on the listed particles, N, in the order of the list, and sums them up by
   /// body in that order.
-  void sum(const std::vector<Vec3d>& forces) {
+  void sum(std::span<const Vec3d> forces) {
     std::ranges::fill(loads_, BodyLoad{});
     for (std::size_t k = 0; k < forces_.size(); ++k) {
       BodyForce& at = forces_[k];

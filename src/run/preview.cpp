@@ -232,7 +232,8 @@ void tell_memory(Preview& preview, const Case& c, const FlowModel& model, std::s
   const double of_host = is_on_card
                              ? expected_memory_beside_card(model, particles, dem_cells)
                              : expected_memory(model, c.numerics.method, particles, dem_cells);
-  preview.line("Memory", fmt::format("about {:.0f} MB", of_host / 1e6));
+  preview.line("Memory",
+               fmt::format("about {:.0f} MB{}", of_host / 1e6, is_on_card ? " of the host" : ""));
   if (!is_on_card) return;
   const double of_card = expected_card_memory(model, c.numerics.method, particles);
   if (const std::string fault = missing_backend(BackendKind::cuda); !fault.empty())

@@ -189,13 +189,12 @@ TEST(BodyLoad, IsNoneWithoutBodies) {
   for (const PassTime& pass : backend->pass_times().passes()) EXPECT_NE(pass.name, "bodies");
 }
 
-// A load on a bar along x, 2 m from the origin: about its own place it turns nothing.
 // A wall from 2 m up, and the ground under it, in which the kernel reaches a metre deep.
 TEST(BodyLoadSum, TakesOfAFoundationWhatPushesAlongTheGround) {
   BodyLoadSum sum;
   sum.list({{1, false, {5, 0, 3}, {}}, {1, true, {6, 0, 1}, {}}},
            [](double x, double) { return x / 3; });
-  sum.sum({{7, 8, 9}, {10, 0, -10}});
+  sum.sum(std::vector<Vec3d>{{7, 8, 9}, {10, 0, -10}});
   ASSERT_EQ(sum.loads().size(), 1u);
   EXPECT_EQ(sum.loads()[0].force, (Vec3d{17, 8, 9}));
   EXPECT_EQ(sum.loads()[0].moment,
@@ -203,6 +202,7 @@ TEST(BodyLoadSum, TakesOfAFoundationWhatPushesAlongTheGround) {
   EXPECT_EQ(sum.forces()[1].position.z, 2);
 }
 
+// A load on a bar along x, 2 m from the origin: about its own place it turns nothing.
 TEST(BodyLoad, TurnsAboutAnyPoint) {
   const Vec3d place{2, 0, 0}, force{0, 0, 3};
   const BodyLoad load{force, cross(place, force)};

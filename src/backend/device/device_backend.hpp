@@ -237,8 +237,8 @@ class DeviceBackend : public Backend {
   Array<std::uint32_t> body_rows_;  // boundary particles of bodies
   Array<Vec3d> row_forces_;         // on each of them, N
   mutable BodyLoadSum body_loads_;  // of row_forces_, once they are fetched
-  mutable std::vector<Vec3d> row_forces_copy_;
-  mutable bool has_new_forces_ = false;
+  typename Executor::template StagingArray<Vec3d> row_forces_copy_;
+  mutable std::optional<typename Executor::Moment> new_forces_then_;  // when that has new ones
 
   StagedParticles<Executor> staged_;
   // When staged_ is there. Not in what kept_ holds, which may end in any thread.

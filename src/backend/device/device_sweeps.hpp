@@ -1,6 +1,5 @@
 #pragma once
 
-#include <utility>
 #include <variant>
 
 #include "backend/device/device_neighbours.hpp"
@@ -109,15 +108,17 @@ void DeviceBackend<Executor>::add_to_bodies(const PairForce& force) {
   using Add = AddToBody<RowNear, PairForce>;
   on_.for_each(body_rows_.size(),
                Add{view(), RowNear{rows()}, body_rows_.data(), force, row_forces_.data()});
-  has_new_forces_ = true;
+  on_.start_download(row_forces_, row_forces_copy_);
+  new_forces_then_.emplace(on_.now());
 }
 
-/// With what has been added since the last time, which is waited for here, once a step.
+/// With what has been added since the last time, which is waited for here.
 template <class Executor>
 BodyLoadSum& DeviceBackend<Executor>::fetched_loads() const {
-  if (!std::exchange(has_new_forces_, false)) return body_loads_;
-  on_.download(row_forces_, row_forces_copy_);
-  body_loads_.sum(row_forces_copy_);
+  if (!new_forces_then_) return body_loads_;
+  on_.await(*new_forces_then_);
+  new_forces_then_.reset();
+  body_loads_.sum({row_forces_copy_.data(), row_forces_copy_.size()});
   return body_loads_;
 }
 
