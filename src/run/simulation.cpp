@@ -2,30 +2,24 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <memory>
 #include <new>
-#include <utility>
 
 #include <fmt/format.h>
 
 #include "base/error.hpp"
 #include "base/version.hpp"
 #include "io/output/cpu_name.hpp"
-#include "io/output/file.hpp"
 #include "run/checkpoints.hpp"
+#include "run/conclusion.hpp"
 #include "run/flow.hpp"
 #include "run/frames.hpp"
 #include "run/manifest.hpp"
-#include "run/pictures.hpp"
 #include "run/recorder.hpp"
 #include "run/rest_text.hpp"
 #include "run/resume.hpp"
 #include "run/run_folder.hpp"
-#include "run/run_page.hpp"
-#include "run/run_summary.hpp"
 #include "run/scene_record.hpp"
-#include "run/view.hpp"
 #include "solver/make_backend.hpp"
 
 namespace sabo {
@@ -237,74 +231,16 @@ class Simulation {
     options_.on_progress(progress);
   }
 
-  /// Writes maps, pictures, page and manifest of whatever was reached.
   RunResult conclude() {
-    attempt([&] { recorder_.settle(); });
-    // A state that failed must not leave its mark on the maps.
-    if (facts_.end != RunEnd::failed)
-      attempt([&] { recorder_.finish(flow_.stepper().time(), flow_.backend().fluid()); });
-    const FlowMaps& flow = recorder_.maps();
-    const double spacing = flow_.model().spacing;
-    const RunMaps maps{flow.depth(),
-                       flow.peak_depth(),
-                       flow.peak_speed(),
-                       flow.peak_pressure(),
-                       flow.peak_momentum_flux(),
-                       flow.arrival_time(),
-                       layers_map(flow.peak_depth(), spacing),
-                       wet_depth(spacing)};
-    const std::vector<SeriesRow>& rows = recorder_.rows();
-    fill_facts(maps);
-    facts_.quantities = key_quantities(maps, rows, scene_);
-
-    RunResult result;
-    attempt([&] { folder_.set_state("failed", "the outputs are incomplete"); });
-    attempt([&] { write_maps(maps, case_, scene_, folder_); });
-    attempt([&] {
-      auto pictures = draw_pictures(maps, rows, facts_.loads, case_, scene_, folder_);
-      write_file_atomically(folder_.index(), index_html(index_page(facts_, case_, scene_, rows,
-                                                                   std::move(pictures))));
-      result.index = folder_.index();
-    });
-    attempt([&] { write_from_frames(folder_.root(), case_, scene_); });
-    attempt([&] { write_manifest(facts_, case_, scene_, rows, folder_); });
-    if (facts_.end == RunEnd::finished) checkpoints_.keep(options_.keeps_checkpoint ? 1 : 0);
-    result.end = facts_.end;
-    result.reason = facts_.reason;
-    result.summary = summary_lines(facts_, case_, scene_, rows);
-    return result;
-  }
-
-  /// Writes one part of the results. The run has failed if that fails, for the first such reason.
-  void attempt(const std::function<void()>& part) {
-    try {
-      part();
-    } catch (const RunError& error) {
-      if (facts_.end != RunEnd::failed) facts_.reason = error.what();
-      facts_.end = RunEnd::failed;
-    }
-  }
-
-  void fill_facts(const RunMaps& maps) {
-    facts_.particles = scene_.release.size();
-    for (const Inflow& inflow : flow_.domain().inflows()) facts_.particles += inflow.count();
     facts_.solver.wall = wall();
     facts_.solver.simulated = flow_.stepper().time();
     facts_.solver.steps = flow_.stepper().steps();
     PassTimes passes = flow_.backend().pass_times();
     for (const PassTime& pass : recording_.passes()) passes[pass.name] = pass;
     facts_.passes = pass_shares(passes, facts_.solver.wall);
-    facts_.motion = recorder_.motion();
-    facts_.loads = recorder_.loads();
-    facts_.basins = recorder_.basins();
-    facts_.boundary_particles = flow_.backend().boundary_count();
-    facts_.resolution = resolution_guard(maps.peak_depth, flow_.model().spacing);
-    attempt([&] {
-      for (const double mass : flow_.backend().fluid().mass)
-        facts_.particle_volume += mass / flow_.model().state.rho0;
-    });
-    for (const double depth : maps.deposit.values)
-      if (!std::isnan(depth)) facts_.raster_volume += depth * maps.deposit.grid.cell_area();
+    RunResult result = Conclusion(case_, scene_, folder_, flow_, recorder_, facts_).write();
+    if (facts_.end == RunEnd::finished) checkpoints_.keep(options_.keeps_checkpoint ? 1 : 0);
+    return result;
   }
 
   const Case& case_;
