@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "collapse.hpp"
 #include "support/backends.hpp"
 #include "support/clouds.hpp"
 #include "support/scenes.hpp"
@@ -16,6 +17,8 @@ namespace sabo {
 namespace {
 
 using test::add_particle;
+using test::collapsing;
+using test::fill;
 using test::On;
 
 class Device : public test::OnBackend {
@@ -26,21 +29,6 @@ class Device : public test::OnBackend {
 };
 
 INSTANTIATE_TEST_SUITE_P(On, Device, testing::Values(On::device, On::cuda), test::name_of_backend);
-
-FlowModel collapsing() {
-  FlowModel model = test::plain_model(0.1, 30, 5);
-  model.rheology = Cross{5, 100, 1};
-  model.yield = {20, 20, 0};
-  return model;
-}
-
-/// A block on a floor that is wider.
-void fill(Backend& backend) {
-  test::add_block(backend.fluid(), backend.model(), {0, 6, 0, 6, 0, 6});
-  test::add_block(backend.boundary(), backend.model(), {-6, 12, -6, 12, -3, 0});
-  for (std::size_t i = 0; i < backend.fluid().size(); ++i)
-    backend.fluid().density[i] *= 1 + 0.001 * std::sin(double(i));
-}
 
 using State = std::map<std::uint32_t, std::pair<Vec3d, Vec3d>>;
 
@@ -231,81 +219,6 @@ TEST_P(Device, ChangesTheBoundaryAsTheHostDoes) {
   ASSERT_EQ(boundary.size(), floor.size());
   for (std::size_t k = 0; k < boundary.size(); ++k)
     EXPECT_EQ(std::pair(boundary.position[k], boundary.mass[k]), floor.at(boundary.id[k]));
-}
-
-// The numbers are fetched once for a list, the places whenever they have changed.
-TEST_P(Device, TellsPlacesWithoutTheRest) {
-  const auto backend = make(collapsing());
-  fill(*backend);
-  for (std::size_t i = 0; i < backend->fluid().size(); ++i)
-    backend->fluid().mass[i] *= 1 + 1e-3 * static_cast<double>(backend->fluid().id[i]);
-  const auto stepper = test::stepper_of(Method::fast, *backend);
-  for (int k = 0; k < 60; ++k) {
-    stepper->step(2e-3);
-    const Places now = backend->places();
-    const std::vector<Vec3d> position(now.position.begin(), now.position.end());
-    const std::vector<std::uint32_t> id(now.id.begin(), now.id.end());
-    const std::vector<double> mass(now.mass.begin(), now.mass.end());
-    EXPECT_TRUE(std::ranges::equal(position, backend->positions()));
-    backend->fix_step(1e-3);
-    EXPECT_EQ(backend->fastest(), backend->chosen_step().flow.speed);
-    const Particles fluid = backend->fluid();
-    EXPECT_EQ(position, fluid.position);
-    EXPECT_EQ(id, fluid.id);
-    EXPECT_EQ(mass, fluid.mass);
-  }
-  EXPECT_GT(backend->pass_times()["sort"].calls, 3u);
-}
-
-// Where a copy is still on its way while the flow goes on, it is of what was before.
-TEST_P(Device, KeepsWhatTheFluidWas) {
-  const auto backend = make(collapsing()), seen = make(collapsing());
-  for (Backend* each : {backend.get(), seen.get()}) fill(*each);
-  const auto stepper = test::stepper_of(Method::fast, *backend);
-  const auto seen_stepper = test::stepper_of(Method::fast, *seen);
-  const auto step = [&] {
-    stepper->step(2e-3);
-    seen_stepper->step(2e-3);
-    return seen->fluid();
-  };
-  for (int k = 0; k < 30; ++k) {
-    const Particles expected = step();
-    const KeptFluid copy = backend->keep_fluid(), same = backend->keep_fluid();
-    const Particles next_expected = step();
-    const KeptFluid next = backend->keep_fluid();  // before anybody has asked for the first
-    const Particles last_expected = step();
-    EXPECT_EQ(next.get().position, next_expected.position);
-    EXPECT_EQ(copy.get().position, expected.position);
-    EXPECT_EQ(copy.get().velocity, expected.velocity);
-    EXPECT_EQ(copy.get().pressure, expected.pressure);
-    EXPECT_EQ(&copy.get(), &same.get());
-    if (k % 3 == 0) {
-      EXPECT_EQ(backend->fluid().position, last_expected.position);
-    }
-    EXPECT_EQ(backend->keep_fluid().get().position, last_expected.position);
-  }
-  EXPECT_GT(backend->pass_times()["sort"].calls, 3u);
-}
-
-// Walls beside driven particles get their density last.
-TEST_P(Device, TellsOfAWallWhatTheLastSweepMadeOfIt) {
-  const auto asked = make(collapsing()), unasked = make(collapsing());
-  for (Backend* backend : {asked.get(), unasked.get()}) {
-    fill(*backend);
-    for (std::size_t i = 0; i < backend->fluid().size(); ++i)
-      backend->fluid().driven[i] = backend->fluid().position[i].x < 0.2 ? 1 : 0;
-    backend->find_neighbours();
-    backend->fix_step(1e-3);
-    backend->predict();
-    backend->pressure();
-    backend->strain_and_density_rates();
-    backend->stress();
-    if (backend == asked.get()) {
-      EXPECT_GT(backend->boundary().size(), 0u);
-    }
-    backend->momentum();
-  }
-  EXPECT_EQ(asked->boundary().density, unasked->boundary().density);
 }
 
 // Spacing 1, h = 1.5, list radius 2.2 h = 3.3: in a row of particles along x each lists three to
