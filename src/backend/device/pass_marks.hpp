@@ -37,15 +37,7 @@ class PassMarks {
   PassMarks(const Executor& on, PassTimes& times) : on_(on), times_(times) {}
 
   /// Waits for the passes that were marked and adds up their times.
-  void settle() {
-    for (const Mark& mark : marks_) {
-      PassTime& pass = times_[mark.name];
-      pass.seconds += on_.seconds_between(mark.start, mark.end);
-      ++pass.calls;
-      pass.pairs += mark.pairs;
-    }
-    marks_.clear();
-  }
+  void settle() { settle(marks_.size()); }
 
  private:
   struct Mark {
@@ -54,9 +46,21 @@ class PassMarks {
     Moment start, end;
   };
 
-  /// Before too many marks wait, and outside of any pass.
+  /// The first ones.
+  void settle(std::size_t count) {
+    const auto end = marks_.begin() + static_cast<std::ptrdiff_t>(count);
+    for (auto mark = marks_.begin(); mark != end; ++mark) {
+      PassTime& pass = times_[mark->name];
+      pass.seconds += on_.seconds_between(mark->start, mark->end);
+      ++pass.calls;
+      pass.pairs += mark->pairs;
+    }
+    marks_.erase(marks_.begin(), end);
+  }
+
+  /// Before too many marks wait, and outside of any pass; those of some steps ago are done.
   PassMarks& with_room() {
-    if (marks_.size() > 256) settle();
+    if (marks_.size() > 256) settle(marks_.size() / 2);
     return *this;
   }
 
