@@ -1,13 +1,14 @@
 #include "run/dam_fillings.hpp"
 
+#include "run/series_header.hpp"
+
 namespace sabo {
 namespace {
 
 std::vector<std::string> filling_columns(const Scene& scene) {
   std::vector<std::string> names{"time [s]"};
   for (const CheckDam& dam : scene.check_dams())
-    for (const char* column : {"stored [m3]", "filled [1]", "surface [m]"})
-      names.push_back(dam.name + " " + column);
+    add_columns(names, dam.name, {"stored [m3]", "filled [1]", "surface [m]"});
   return names;
 }
 

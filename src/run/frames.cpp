@@ -11,6 +11,7 @@
 
 #include "base/error.hpp"
 #include "run/scene_structures.hpp"
+#include "run/show_fluid.hpp"
 
 namespace sabo {
 namespace {
@@ -95,19 +96,12 @@ void Frames::take_back() const {
   for (std::size_t k = count_; std::filesystem::remove(file(k), error); ++k) continue;
 }
 
-void Frames::write_frame(std::size_t number, double time, const Particles& fluid) {
-  write_particles_vtp(file(number), FluidFrame(time, origin_, fluid).frame, threads_);
-  list_.add(time, file(number).filename().string());
-}
-
 void Frames::write(double time, Backend& backend) {
-  if (backend.device_bytes() == 0)
-    write_frame(count_, time, backend.fluid());
-  else  // one that fails leaves a gap in the numbers, not in the list
-    writing_.start([this, number = count_, time, fluid = backend.keep_fluid()] {
-      write_frame(number, time, fluid.get());
-    });
-  ++count_;
+  show_fluid(backend, writing_, [this, number = count_, time](const Particles& fluid) {
+    write_particles_vtp(file(number), FluidFrame(time, origin_, fluid).frame, threads_);
+    list_.add(time, file(number).filename().string());
+  });
+  ++count_;  // one that fails beside the steps leaves a gap in the numbers, not in the list
 }
 
 }  // namespace sabo

@@ -37,7 +37,6 @@ class Frames {
 
  private:
   std::filesystem::path file(std::size_t number) const;
-  void write_frame(std::size_t number, double time, const Particles& fluid);
   void take_back() const;
   void write_bodies(const Scene& scene) const;
 

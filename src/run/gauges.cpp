@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/probes.hpp"
+#include "run/series_header.hpp"
 
 namespace sabo {
 namespace {
@@ -10,8 +11,7 @@ namespace {
 std::vector<std::string> gauge_columns(const Scene& scene) {
   std::vector<std::string> names{"time [s]"};
   for (const NamedGauge& gauge : scene.gauges)
-    for (const char* column : {"depth [m]", "surface [m]", "speed [m/s]", "pressure [Pa]"})
-      names.push_back(gauge.name + " " + column);
+    add_columns(names, gauge.name, {"depth [m]", "surface [m]", "speed [m/s]", "pressure [Pa]"});
   return names;
 }
 

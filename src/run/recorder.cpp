@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "run/show_fluid.hpp"
 
 namespace sabo {
 namespace {
@@ -68,7 +69,7 @@ void Recorder::start(double time, const Particles& fluid, const Particles& relea
   load_account_.start(time);
   meter_.maps().update(time, fluid);
   meter_.rest().update(time, fluid);
-  rest_due_ = time + meter_.rest().interval();
+  take_rest_due(time);
   motion_ = meter_.rest().state();
 }
 
@@ -111,7 +112,7 @@ void Recorder::look(double time, Backend& backend) {
   unseen_ = 0;
   for (Section& section : sections_) section.record(before, now, density_, threads_);
   for (VolumeLedger& ledger : ledgers_) ledger.record(before, now, threads_);
-  const bool is_for_rest = rest_is_due(time), is_for_maps = travelled_ >= sampling_distance_;
+  const bool is_for_rest = take_rest_due(time), is_for_maps = travelled_ >= sampling_distance_;
   if (!is_for_rest && !is_for_maps) return;
   if (is_for_maps) travelled_ = 0;
   show(time, backend, [this, time, is_for_rest, is_for_maps](const Particles& fluid) {
@@ -120,25 +121,20 @@ void Recorder::look(double time, Backend& backend) {
   });
 }
 
-/// Says so once.
-bool Recorder::rest_is_due(double time) {
+/// Whether the watch for rest has to see the particles, which it does then.
+bool Recorder::take_rest_due(double time) {
   if (time < rest_due_) return false;
   rest_due_ = time + meter_.rest().interval();
   return true;
 }
 
-/// Lets the meter see the fluid: beside the steps, where these leave the host to itself. A run that
-/// could end with what it sees waits.
+/// Lets the meter see the fluid. A run that could end with what it sees waits.
 void Recorder::show(double time, Backend& backend,
                     const std::function<void(const Particles&)>& measure) {
   settle();
-  const bool is_copied = backend.device_bytes() > 0;
   const bool may_end = may_stop_at_rest_ && meter_.rest().may_find_rest(time);
-  if (is_copied)
-    measuring_.start([fluid = backend.keep_fluid(), measure] { measure(fluid.get()); });
-  else
-    measure(backend.fluid());
-  if (!is_copied || may_end) settle();
+  show_fluid(backend, measuring_, measure);
+  if (may_end || backend.device_bytes() == 0) settle();
 }
 
 void Recorder::settle() {
@@ -167,8 +163,8 @@ void Recorder::write_row(const Stepper& stepper, const StepReport& report, const
                          Backend& backend) {
   const double time = stepper.time();
   if (unseen_ > 0) look(time, backend);
-  settle();
-  rest_is_due(time);  // every row looks for it
+  settle();             // the row before says when this one's means begin
+  take_rest_due(time);  // every row looks for it
   show(time, backend,
        [this, start = start_of_row(stepper, report, health, backend)](const Particles& fluid) {
          written_ = meter_.write_row(start, fluid);

@@ -80,7 +80,7 @@ class Recorder {
 
  private:
   void look(double time, Backend& backend);
-  bool rest_is_due(double time);
+  bool take_rest_due(double time);
   void show(double time, Backend& backend, const std::function<void(const Particles&)>& measure);
   RowStart start_of_row(const Stepper& stepper, const StepReport& report, const FlowHealth& health,
                         Backend& backend);

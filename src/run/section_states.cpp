@@ -2,15 +2,16 @@
 
 #include <array>
 
+#include "run/series_header.hpp"
+
 namespace sabo {
 namespace {
 
 std::vector<std::string> section_columns(const Scene& scene) {
   std::vector<std::string> names{"time [s]"};
   for (const NamedSection& section : scene.sections)
-    for (const char* column :
-         {"area [m2]", "greatest depth [m]", "mean speed [m/s]", "greatest speed [m/s]"})
-      names.push_back(section.name + " " + column);
+    add_columns(names, section.name,
+                {"area [m2]", "greatest depth [m]", "mean speed [m/s]", "greatest speed [m/s]"});
   return names;
 }
 

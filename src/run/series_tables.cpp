@@ -3,16 +3,16 @@
 #include <string>
 #include <vector>
 
+#include "run/series_header.hpp"
+
 namespace sabo {
 namespace {
 
 std::vector<std::string> discharge_header(const Scene& scene) {
   std::vector<std::string> header{"time [s]"};
-  for (const NamedSection& section : scene.sections) {
-    header.push_back(section.name + " net discharge [m3/s]");
-    header.push_back(section.name + " forward volume [m3]");
-    header.push_back(section.name + " backward volume [m3]");
-  }
+  for (const NamedSection& section : scene.sections)
+    add_columns(header, section.name,
+                {"net discharge [m3/s]", "forward volume [m3]", "backward volume [m3]"});
   return header;
 }
 
@@ -25,14 +25,10 @@ std::vector<double> discharges(const SeriesRow& row) {
 
 std::vector<std::string> volumes_header(const Scene& scene) {
   std::vector<std::string> header{"time [s]", "released [m3]", "outflow [m3]", "put back [count]"};
-  for (const CheckDam& dam : scene.check_dams()) {
-    header.push_back(dam.name + " trapped [m3]");
-    header.push_back(dam.name + " beyond [m3]");
-  }
-  for (const InflowPlan& inflow : scene.inflows) {
-    header.push_back(inflow.name + " entered [m3]");
-    header.push_back(inflow.name + " hydrograph [m3]");
-  }
+  for (const CheckDam& dam : scene.check_dams())
+    add_columns(header, dam.name, {"trapped [m3]", "beyond [m3]"});
+  for (const InflowPlan& inflow : scene.inflows)
+    add_columns(header, inflow.name, {"entered [m3]", "hydrograph [m3]"});
   return header;
 }
 
@@ -50,12 +46,10 @@ std::vector<double> volumes(const SeriesRow& row, bool has_dams) {
 
 std::vector<std::string> zones_header(const Scene& scene) {
   std::vector<std::string> header{"time [s]"};
-  for (const NamedZone& zone : scene.zones) {
-    header.push_back(zone.name + " mean depth where wet [m]");
-    header.push_back(zone.name + " mean depth [m]");
-    header.push_back(zone.name + " greatest depth [m]");
-    header.push_back(zone.name + " volume [m3]");
-  }
+  for (const NamedZone& zone : scene.zones)
+    add_columns(
+        header, zone.name,
+        {"mean depth where wet [m]", "mean depth [m]", "greatest depth [m]", "volume [m3]"});
   return header;
 }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "run/series_header.hpp"
+
 namespace sabo {
 namespace {
 
@@ -17,11 +19,10 @@ std::vector<std::string> structure_names(const Scene& scene) {
 std::vector<std::string> loads_header(const Scene& scene) {
   std::vector<std::string> header{"time [s]"};
   for (const std::string& name : structure_names(scene))
-    for (const char* column :
-         {"force x [N]", "force y [N]", "force z [N]", "moment x [N m]", "moment y [N m]",
-          "moment z [N m]", "approach depth [m]", "approach speed [m/s]", "approach surface [m]",
-          "touched width [m]", "hydrostatic [N]", "dynamic [N]"})
-      header.push_back(name + " " + column);
+    add_columns(header, name,
+                {"force x [N]", "force y [N]", "force z [N]", "moment x [N m]", "moment y [N m]",
+                 "moment z [N m]", "approach depth [m]", "approach speed [m/s]",
+                 "approach surface [m]", "touched width [m]", "hydrostatic [N]", "dynamic [N]"});
   return header;
 }
 

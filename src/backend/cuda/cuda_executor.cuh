@@ -69,13 +69,6 @@ __global__ void __launch_bounds__(block_size)
   then(joined);
 }
 
-/// What would follow a sum over nothing.
-template <class Sum, class Then>
-struct HandOnNothing {
-  Then then;
-  SABO_HD void operator()(std::size_t) const { then(Sum{}); }
-};
-
 /// The same words of the thread `away` threads further in the warp.
 template <class T>
 __device__ T further(const T& mine, unsigned away) {
@@ -184,7 +177,6 @@ class CudaExecutor {
   /// reads; the work after it can see what it does.
   template <class Sum, class F, class Then>
   void sum_up(std::size_t count, const F& f, const Then& then) const {
-    if (count == 0) return for_each(1, HandOnNothing<Sum, Then>{then});
     start_sum<Sum>(count, f, then);
   }
 
@@ -201,7 +193,6 @@ class CudaExecutor {
   /// The same, with sum_up() of what finish(i, sums, sum) adds.
   template <class Sum, class Sweep, class Then>
   void sweep_and_sum(std::size_t count, const Sweep& sweep, const Then& then) const {
-    if (count == 0) return for_each(1, HandOnNothing<Sum, Then>{then});
     with_lanes(count, [&]<unsigned lanes>() {
       // Whole warps.
       const std::size_t threads = (count * lanes + 31) / 32 * 32;
@@ -277,7 +268,8 @@ class CudaExecutor {
     static_assert(sizeof(F) + sizeof(Then) < 4000);
     static_assert(std::is_trivially_copyable_v<Sum> && sizeof(Sum) <= SumSpace::largest);
     const SumSpace& space = sum_space();
-    const auto sums = std::min<std::size_t>(blocks(count), most_partial_sums);
+    // One of nothing is handed on, too.
+    const auto sums = std::clamp<std::size_t>(blocks(count), 1, most_partial_sums);
     sum_all<Sum><<<static_cast<unsigned>(sums), block_size>>>(
         count, f, then, static_cast<Sum*>(space.partial), space.blocks_done);
     check_cuda(cudaGetLastError(), "kernel launch");
